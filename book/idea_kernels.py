@@ -4,7 +4,6 @@ Functions of float64 numbers, NumPy's arrays or traced values, as the kernels ar
 the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
 """
 
-from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -93,26 +92,21 @@ def slope_parts(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number)
     return truncation + straddling, arguments, heights
 
 
-def every_line(name: str, program: Program) -> tuple[Callable, dict[str, list[str]]]:
-    """Return a program as a function that returns all of its lines, and its LINES."""
-    symbols = tuple(symbol for symbol, _ in program.definitions)
-    full = Program(name, program.inputs, program.definitions, symbols)
-    return function_of(full), {"inputs": [s.name for s in program.inputs], "lines": [s.name for s in symbols]}
-
-
 def seen_along_a_ray() -> Program:
-    """Return the program of a whole pixel of ridges from its image point on: the highlight's power as a product."""
+    """Return the program of a whole pixel of ridges from its image point on, to all of its lines.
+
+    The highlight's power is a product.
+    """
     program, shine = pixel(HEIGHT_FIELDS["ridges"]), {shininess: Integer(Scene().shininess)}
     inputs = (x, y, *(s for s in program.inputs if s not in (*PLACE, shininess)))
     lines = tuple((s, e.xreplace(shine)) for s, e in program.definitions if s not in (x, y, half))
-    return Program("pixel_lines", inputs, lines, program.outputs)
+    return Program("pixel_lines", inputs, lines, [symbol for symbol, _ in lines])
 
 
 PLACE = (column, row, width, height)
 PIXEL = seen_along_a_ray()
-pixel_lines, PIXEL_LINES = every_line("pixel_lines", PIXEL)
-LINES = {"pixel_lines": PIXEL_LINES}
-"""{kernel: the names of its inputs, and of the lines that it returns}."""
+pixel_lines = function_of(PIXEL)
+PIXEL_LINES = {"inputs": [s.name for s in PIXEL.inputs], "lines": [s.name for s in PIXEL.outputs]}
 
 BALLS = {"beta": 0.12, "turn": 0.5, "tip": 0.45, "lamp": (-0.8, 0.7), "away": 6.0, "ka": 0.4}
 """Of the three balls: β, how the eye stands, the lamp at first, in radians to the right and up, and how far away."""
@@ -143,6 +137,6 @@ def lines_at(scene: Scene, x: float, y: float) -> dict[str, float]:
 
 def source() -> str:
     """Return the text of the script that their pages load."""
-    data = {"lines": LINES, "given": scene_inputs(Scene()), "balls": BALLS}
+    data = {"lines": {"pixel_lines": PIXEL_LINES}, "given": scene_inputs(Scene()), "balls": BALLS}
     words = "what the small interactives ask of the renderer's kernels"
     return script(words, "Ideas.data", "Ideas.program", {}, IDEAS, data, {})

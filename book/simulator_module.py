@@ -16,7 +16,7 @@ from PIL import ImageColor
 from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
 from book.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
-from book.webassembly import LANES, compiled_module
+from book.webassembly import LANES, compiled_module, emitted
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, kernels
@@ -26,6 +26,7 @@ from renderer.kernels import FIELDS, HEIGHT_EVALUATIONS, LIGHT_MODELS, MAX_ALGEB
 from renderer.machines.drawing_code import arguments
 from renderer.machines.forms import flat
 from renderer.machines.points_code import inputs_of
+from renderer.operations import where
 from renderer.picture.views import DIVERGING
 from renderer.scene.raster import Raster
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, numbers_of, scene_numbers, style_of
@@ -101,9 +102,16 @@ OVER_POINTS = (
     *(crease_rates(field) for field in HEIGHT_FIELDS.values() if field.creases),
     *(FIELDS[name][role] for name in FIELDS for role in ("height", "kink", "straddling")),
     *(field["wave_numbers"] for field in FIELDS.values() if field["wave_numbers"]),
-    *(kernels.sinpi, kernels.cospi, kernels.exp, kernels.log, kernels.atan2pi),
     *(kernel_of(method) for method in HEIGHT_EVALUATIONS for kernel_of in (points_of, slopes_of)),
 )
+OF_VECTORS = {
+    **{name: (1, getattr(kernels, name)) for name in ("sinpi", "cospi", "exp", "log", "sign")},
+    "atan2pi": (1, lambda tangent: kernels.atan2pi(tangent, 1.0)),
+    "below": (1, lambda number: where(number < 0.0, 1.0, 0.0)),
+    "at_most": (1, lambda number: where(number <= 0.0, 1.0, 0.0)),
+    "choice": (3, lambda condition, one, other: where(condition > 0.0, one, other)),
+}
+"""What the reader's own field calls in the page: {name: (of how many numbers, kernel)}."""
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
 TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 
@@ -132,7 +140,7 @@ def _colours(rows):
 def _tables():
     """Return what a painter reads, by name: cells of numbers, and where each level begins; palettes."""
     return {
-        "srgb": {"cells": SRGB_CELLS, "thresholds": tables()[0].tolist()},
+        "srgb": {"cells": SRGB_CELLS, "thresholds": tables()[0][:-1].tolist()},
         "sizes": {"bits": SIZE_BITS, "thresholds": thresholds(_level_of_size).tolist()},
         "inferno": _colours(colormaps["inferno"](range(256), bytes=True)[:, :3]),
         "grey": _colours(np.arange(256)[:, None].repeat(3, axis=1)),
@@ -170,6 +178,7 @@ def data() -> dict:
         "counts": len(WORK),
         "lanes": LANES,
         "painting": PAINTING,
+        "emitted": emitted(OF_VECTORS),
         "numbers": NUMBERS,
         "tables": _tables(),
         "terms": TERMS,
@@ -179,13 +188,13 @@ def data() -> dict:
 
 def script(
     words: str, place: str, module_place: str, wants: Mapping[str, Want], functions: Iterable[Callable], beside: dict,
-    painters: Mapping[str, Callable] = PAINTERS,
+    painters: Mapping[str, Callable] = PAINTERS, of_vectors: Mapping[str, tuple[int, Callable]] = {},
 ) -> str:  # fmt: skip
     """Return a script that puts a module, compressed, and what is known beside it, at two places, "Simulator.data".
 
     The module draws what is wanted and has the functions; of each, "kernels" says how many numbers it takes and gives.
     """
-    module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters)
+    module, outputs = compiled_module(wants, {each.__name__: each for each in functions}, painters, of_vectors)
     kernels_in = {each.__name__: [len(inputs_of(each)), outputs[each.__name__]] for each in functions}
     text, holder = json.dumps({"kernels": kernels_in} | beside, separators=(",", ":")), place.partition(".")[0]
     return (
@@ -199,4 +208,4 @@ def script(
 def source() -> str:
     """Return the text of the script that the page loads."""
     words = "the renderer's shader and kernels, and the numbers beside them"
-    return script(words, "Simulator.data", "Simulator.program", WANTS, OVER_POINTS, data())
+    return script(words, "Simulator.data", "Simulator.program", WANTS, OVER_POINTS, data(), PAINTERS, OF_VECTORS)

@@ -21,7 +21,9 @@ var /** @type {SimulatorParts} */ Simulator,
  * @typedef {{ field: string, h?: string, ku: number, kv: number, beta: number, model: string, ball: number,
  *   lights: boolean[], lamp?: Vector }} SceneState h: the reader's own formula, worn where the field is "own"; lamp: where
  *   the first light is
- * @typedef {(name: string, ...inputs: (number | Float64Array)[]) => Float64Array[]} KernelOver
+ * @typedef {(arguments_at: number) => void} Compiled
+ * @typedef {{ head: number[], codes: Record<string, number[]>, functions: number }} Emitted what code is made of that a page emits: the bytes it begins with, those of each operation, and how many functions it imports
+ * @typedef {(run: Compiled, columns: [taken: number, made: number], ...inputs: (number | Float64Array)[]) => Float64Array[]} OverPoints
  * @typedef {{ position: Vector, color: Vector }} LightData
  * @typedef {Omit<SceneState, "lights"> & { lights: LightData[], eye: number, radius: number, ball_center: Vector,
  *   ball_radius: number, ambient: Vector, albedo_a: Vector, kd: number }} SceneData
@@ -31,12 +33,12 @@ var /** @type {SimulatorParts} */ Simulator,
  *   offsets: Record<string, number>, light_size: number, shadows: number, max_algebraic: number, counts: number, lanes: number,
  *   fields: Record<string, { ways: Record<string, number>, sloped: number, creases: number }>, by: Record<string, string>, sloped: string[],
  *   models: Record<string, { index: number, power: number }>, arguments: string[],
- *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables,
+ *   kernels: Record<string, [number, number]>, painting: string[], numbers: string[], tables: Tables, emitted: Emitted,
  *   terms: string[], term_colours: string[], scene_bounds?: number[],
  *   record: { gradient: object, scene: object } }} SimulatorData
  * @typedef {{ raster: Raster, pitch: number, addresses: Record<string, number> }} Ground planes in memory
  * @typedef {Ground & { codes: Uint8Array, count: number, at: Int32Array, rows: [number, number],
- *   targets: Record<string, number> }} Stage
+ *   targets: Record<string, number>, points?: Float64Array[] }} Stage points: u and v on A's pixels, once they are asked for
  * @typedef {{ whole?: boolean, of?: string, other?: string, table?: string, palette?: string, gain?: number }} Painting
  * @typedef {{ column: number, row: number, surface: string, rgb: number[], point?: number[],
  *   normal?: number[], gradient?: number[], slope?: number[], theta?: number, phi?: number, u?: number, v?: number, h?: number,
@@ -57,8 +59,8 @@ var /** @type {SimulatorParts} */ Simulator,
 
 // simulator/formula.js
 /**
- * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, operations: number, part?: FormulaPart, out?: Float64Array }}
- *   FormulaNode an operation, its parts, and its number if it has one; operations: how many, about; part: of the text; out: what it is at some points
+ * @typedef {{ id: number, op: string, args: FormulaNode[], value: number, operations: number, part?: FormulaPart }}
+ *   FormulaNode an operation, its parts, and its number if it has one; operations: how many, about; part: of the text
  * @typedef {{ word: string, at: number, digits?: string, name?: string, sign?: string, whole?: FormulaPart }} FormulaPart
  * @typedef {ReturnType<typeof own_field>} OwnField
  */

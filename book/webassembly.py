@@ -14,22 +14,30 @@ from book.painting_code import PAINTERS, emit_painter
 from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
 from renderer.machines.points_code import emit_points
+from renderer.machines.traced import FLOAT, Tracer, Value
 
 LANES = 2
 TRIPLE = "wasm32-unknown-unknown"
 FEATURES = "+simd128,+nontrapping-fptoint"
-HEADER_SIZE = 8
-CUSTOM, IMPORT, EXPORT, CODE, DATA = 0, 2, 7, 10, 11
+MAGIC = b"\0asm\1\0\0\0"
+CUSTOM, TYPE, IMPORT, EXPORT, CODE, DATA = 0, 1, 2, 7, 10, 11
+MEMORY = b"\3env\x0f__linear_memory\2"
+OPERATIONS = {"sum": 0xF0, "product": 0xF2, "quotient": 0xF3, "min": 0xF4, "max": 0xF5, "abs": 0xEC, "root": 0xEF}
+OPERATIONS |= {"floor": 0x75, "everywhere": 0x14}  # of vectors
 
 
 def compiled_module(
-    wants: Mapping[str, Any], kernels: Mapping[str, Callable], painters: Mapping[str, Callable] = PAINTERS
+    wants: Mapping[str, Any],
+    kernels: Mapping[str, Callable],
+    painters: Mapping[str, Callable] = PAINTERS,
+    of_vectors: Mapping[str, tuple[int, Callable]] = {},
 ) -> tuple[bytes, dict[str, int]]:
     """Return (a module's bytes, {kernel's name: how many outputs it has}).
 
     wants: {name: want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
     {name: kernel}, each a function over points (`renderer.machines.points_code`). painters: {name: painter}
-    (`book.painting_code`). The module imports `env.__linear_memory`.
+    (`book.painting_code`). of_vectors: {name: (of how many
+    vectors, kernel)}, each a function that a page's own code calls. The module imports `env.__linear_memory`.
     """
     module = ir.Module()
     module.triple = TRIPLE
@@ -38,10 +46,42 @@ def compiled_module(
     outputs = {name: emit_points(module, name, kernel, LANES) for name, kernel in kernels.items()}
     for name, painter in painters.items():
         emit_painter(module, name, painter)
+    for name, (count, kernel) in of_vectors.items():
+        tracer = _Vectors(module, name, count)
+        tracer.builder.ret(kernel(*(Value(tracer, vector) for vector in tracer.function.args)).vector)
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     target = llvm.Target.from_triple(TRIPLE).create_target_machine(features=FEATURES, opt=2, reloc="static")
-    return exported(target.emit_object(optimized(module, target)), [*wants, *kernels, *painters]), outputs
+    return exported(target.emit_object(optimized(module, target)), [*wants, *kernels, *painters, *of_vectors]), outputs
+
+
+class _Vectors(Tracer):
+    """A machine that emits a function of so many vectors, which returns one; no loop is around it."""
+
+    def __init__(self, module, name, count):
+        self.module, self.lanes, self.number, self.vector = module, LANES, FLOAT, ir.VectorType(FLOAT, LANES)
+        self.function = ir.Function(module, ir.FunctionType(self.vector, [self.vector] * count), name)
+        self.builder = ir.IRBuilder(self.function.append_basic_block())
+
+
+def emitted(of_vectors: Mapping[str, tuple[int, Callable]]) -> dict[str, Any]:
+    """Return what code is made of that a page emits: functions of an address over points, beside a module of ours.
+
+    {"head": the bytes it begins with, its types (that of such a function is the first) and its imports: the memory and
+    the module's functions of vectors, "codes": {operation: its bytes}, "functions": how many are imported}.
+    """
+    types = [b"\x60\1\x7f\0", *(b"\x60" + _leb(n) + b"\x7b" * n + b"\1\x7b" for n in (1, 2, 3))]
+    imports = [b"\3env" + _text(name) + b"\0" + _leb(count) for name, (count, _) in of_vectors.items()]
+    imports.append(MEMORY + b"\0\1")
+    sections = (_section(kind, _leb(len(of)) + b"".join(of)) for kind, of in ((TYPE, types), (IMPORT, imports)))
+    codes = {name: b"\xfd" + _leb(code) for name, code in OPERATIONS.items()}
+    codes |= {"load": b"\xfd\0\3\0", "store": b"\xfd\x0b\3\0"}
+    codes |= {name: b"\x10" + _leb(number) for number, name in enumerate(of_vectors)}
+    return {
+        "head": [*MAGIC, *b"".join(sections)],
+        "codes": {name: [*code] for name, code in codes.items()},
+        "functions": len(of_vectors),
+    }
 
 
 def exported(program: bytes, names: Sequence[str]) -> bytes:
@@ -49,8 +89,8 @@ def exported(program: bytes, names: Sequence[str]) -> bytes:
 
     Raises ValueError if it has data, or imports more than the memory: then a linker would be needed.
     """
-    parts = [program[:HEADER_SIZE]]
-    for kind, content in _sections(program[HEADER_SIZE:]):
+    parts = [MAGIC]
+    for kind, content in _sections(program[len(MAGIC) :]):
         if kind == DATA or (kind == IMPORT and content != _memory_alone(content)):
             raise ValueError(f"the object file needs a linker: section {kind} is {content!r}")
         if kind == CODE:
@@ -63,8 +103,7 @@ def exported(program: bytes, names: Sequence[str]) -> bytes:
 
 def _memory_alone(content):
     """Return the import section of the memory alone, whatever its limits are."""
-    memory = b"\1" + _text("env") + _text("__linear_memory") + b"\2"
-    return memory + content[len(memory) : len(memory) + 2]
+    return b"\1" + MEMORY + content[1 + len(MEMORY) :][:2]
 
 
 def _leb(number):

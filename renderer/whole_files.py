@@ -40,11 +40,10 @@ def checked_target(path: str | Path, suffixes: Collection[str], name: str = "out
     name: the argument's, in the message.
     """
     path, shown = named(name, path), str(path)
+    folder = os.path.dirname(os.path.realpath(path))
     if path.suffix.lower() not in suffixes:
         raise not_allowed(name, shown, f"a file name that ends in {' or '.join(suffixes)}")
-    if os.path.isdir(path) or not os.path.isdir(
-        os.path.dirname(os.path.realpath(path))
-    ):  # unlike Path's, False for a name that is too long
+    if os.path.isdir(path) or not os.path.isdir(folder):  # unlike Path's, False for a name that is too long
         raise not_allowed(name, shown, "a file in a folder that exists")
     try:
         with _unfinished(_place(path)[0]):

@@ -15,7 +15,7 @@ from book.assembly import stamps
 from book.drawing import draw, registry, save, style
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import plot
-from book.figures import eps_sweep, work_precision  # noqa: F401, which registers its figures
+from book.figures import work_precision  # noqa: F401, which registers its figures
 from renderer import Scene, central, exact, render
 from renderer.intervals import Interval
 from tests.folders import contents
@@ -156,13 +156,6 @@ def test_two_processes_name_the_figure_that_raises(stamped, monkeypatch):
         draw.draw()
     assert caught.value.__notes__ == ["while the figure 'broken' was drawn"]
     assert not stamps.read("figures/broken")
-
-
-def test_a_picture_whose_error_is_above_what_its_slopes_allow_is_not_drawn(monkeypatch):
-    steepest = eps_sweep.steepest
-    monkeypatch.setattr(eps_sweep, "steepest", lambda scene: steepest(scene) / 1000)
-    with pytest.raises(ValueError, match="sine: a picture's difference is above what its gradients' errors allow"):
-        eps_sweep.image_error()
 
 
 def outline(text):

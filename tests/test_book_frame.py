@@ -115,6 +115,14 @@ def test_folds_are_open_on_paper(visit):
         assert set(tab.evaluate(f"Array.from({folded}, part => part.checkVisibility())")) == {seen}
 
 
+def test_a_reader_who_denies_storage_has_the_page(visit):
+    """It complains of nothing, and its buttons work."""
+    denied = "{ configurable: true, get() { throw new DOMException('denied', 'SecurityError'); } }"
+    tab = visit("s3", prepare=f"Object.defineProperty(window, 'localStorage', {denied})")
+    tab.click(".theme-switch-button")
+    assert tab.get_attribute("html", "data-mode") == "dark"
+
+
 @pytest.mark.parametrize("mode", ["light", "dark"])
 def test_without_scripts_formulas_stand_and_each_figure_stands_once_in_the_system_s_colours(visit, mode):
     tab = visit("s3", java_script_enabled=False, color_scheme=mode)

@@ -12,7 +12,7 @@ from book.assembly.contents import page_files
 from book.editions.pages import parsed
 from book.extension.cards import OPEN
 from book.extension.evidence import evidence_line
-from book.extension.printed_claims import rows, tex
+from book.extension.printed_claims import rows
 from book.extension.theorems import certificate, load, placements
 from proofs.engine.claim import Claim, equation, greater
 from proofs.engine.half_turns import sinpi
@@ -94,45 +94,6 @@ def test_certificates_are_downloads_and_scripts_run_with_nothing_but_python(site
     for id, path in certified.items():
         assert (folder / f"{id}.json").read_bytes() == path.read_bytes()
         python("-I", "-S", folder / f"{id}.py", cwd=tmp_path, timeout=60)
-
-
-# Words that say no more than the claims
-
-
-def numbers(*texts):
-    """Return the numbers of TeX, those below 1 turned over, but no index and no exponent of what is no number."""
-    powers = re.findall(r"(?<![\d_^])(?<!\^\{)(\d+)(?:\^\{?-?(\d+))?", " ".join(texts))
-    return {int(base) ** int(power or 1) for base, power in powers}
-
-
-def lacking(theorem, cut):
-    """Return what claims of float64 are called, and have to be given, that their theorem lacks without some words.
-
-    A hypothesis that names some of the claims is one of these alone. 0 and 1 may be said otherwise.
-    """
-    words, *hypotheses = texts = [text.replace(cut, "").lower() for text in (theorem.words, *theorem.hypotheses)]
-    names = [claim.name.partition("_")[0] for claim in theorem.rounded]
-    missing = {name for name in (*names, "overflows") if name not in " ".join(texts)}
-    for name, claim in zip(names, theorem.rounded, strict=True):
-        stated = [text for text in hypotheses if name in text or not any(map(text.count, names))]
-        missing |= numbers(*map(tex, claim.given)) - numbers(words, *stated) - {0, 1}
-    return missing
-
-
-CUTS = {
-    "no such words": set(),
-    "light and albedo are at most $2^{20}$": {2**20},
-    "exact gradient of sine, ridges and rings": {"sine", "ridges"},
-    "10^{-285}$": {10**285},
-    "2^{52}": {2**52},
-    "nothing overflows": {"overflows"},
-}
-
-
-@pytest.mark.parametrize("cut", CUTS)
-def test_a_card_has_the_name_and_every_number_of_a_claim_of_float64(cut):
-    """And that nothing overflows; without these words it is refused."""
-    assert set().union(*(lacking(each, cut) for each in THEOREMS.values() if each.rounded)) == CUTS[cut]
 
 
 # What does not build

@@ -189,7 +189,7 @@ REFUSED = {
         "--field-expression a --field-parameter a=1 --field-parameter a=2": "field-parameter = "
         "[('a', 1.0), ('a', 2.0)] is not allowed: each name once",
         "--field-expression v --field-parameter name=1": "field-parameter = {'name': 1.0} is not allowed: others than",
-        "--field-expression v --field-parameter b=1": "field-parameter = ['b'] is not allowed: names that the",
+        "--field-expression v --field-parameter b=1": "field-parameter = 'b' is not allowed: one that the formula",
         "--field-expression v --field-parameter v=1": "field-parameter = 'v' is not allowed: a name of small letters",
         "--field-expression v --field-parameter self=inf": "self = inf is not allowed: a finite number",
         "--again a.png --field-parameter a=1": "again = 'a.png' is not allowed: no --field-parameter beside it",

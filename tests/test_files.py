@@ -16,6 +16,7 @@ from PIL import Image
 from renderer import Scene, central, pixel, render, whole_files
 from renderer.command_line.verbs import main
 from renderer.files import pictures as files
+from renderer.machines import numpy_rows
 from renderer.picture import views
 from renderer.whole_files import whole_file
 from tests.folders import contents
@@ -61,6 +62,8 @@ def test_a_png_has_every_pixel(shape, noise, library, monkeypatch):
     picture = ((smooth + np.random.default_rng(1).integers(0, noise, shape)) % 256).astype(np.uint8)
     written = files.png_of(picture, "told", threads=1)
     assert files.png_of(picture, "told", threads=5) == written
+    monkeypatch.setattr(files, "machine", lambda: numpy_rows)
+    assert files.png_of(picture, "told") == written
     with Image.open(BytesIO(written)) as read:
         assert read.info["symbolic-rendering"] == "told"
         np.testing.assert_array_equal(np.asarray(read).reshape(shape), picture)

@@ -23,7 +23,6 @@ OTHERS = {
     "proofs.engine.claim.Claim",
     "proofs.engine.theorem.Theorem",
     "verify.checkers.proof_checker.examine",
-    "verify.evaluate.Reference",
     "verify.evaluate.balls.Balls",
 }
 

@@ -127,7 +127,7 @@ AS_WRITTEN = [
 NOT_DRAWN = {
     "sin(8*u)": "it is 0 at u = 0 and 0.989 at u = 1, .*: let u stand in sines and cosines of 2",
     "sqrt((u - 1/2)^2 + (v - 1/2)^2)": r"1/sqrt\(.*\) of h or a slope is not shown to be finite: keep .* 1e-4\)",
-    "v + 2u": r"from '2u' on: write 2\*u, sin\(u\)\*\*2",
+    "v + 2u": r"from '2u' on: write 2\*u for 2u, .* sin\(u\)\*\*2",
     "(u < v)*v": r"'u < v' is not of the kind that belongs there: write .* where\(u < v, 1, 2\)",
     "asin(sin(2*pi*u))": r"none of numbers, .* arctan, .* Piecewise; write 2\*u",
 }
@@ -199,6 +199,7 @@ NO_FIELDS = {
         Scene(field=HeightField("moving", "max(0, sin(8*pi*u) - a)", a=0.5)), 8, 8, derivatives=["a"]
     ),
     "parameter = 'u' is not allowed: a name of small letters": lambda: HeightField("x", "v", u=1),
+    "parameter = 'b' is not allowed: one that the formula has: a": lambda: HeightField("x", "a*v", a=1, b=1),
     "a = 'b' is not allowed: a finite number": lambda: HeightField("x", "a*v", a="b"),
     "field = 'beta' is not allowed: parameters by names": lambda: Scene(field=HeightField("x", "beta*v", beta=1)),
 }

@@ -66,6 +66,10 @@ def test_every_heading_is_in_the_outline_which_names_its_page(paper, pdf, texts)
     assert [title for title, _ in outline] == texts_of(paper, "h1, h2, h3, h4, h5, h6")
 
 
+def test_the_front_has_room_on_one_page(texts):
+    assert texts[1].startswith("Contents")
+
+
 def test_every_figure_is_there_under_its_number(paper, texts):
     numbers, text = texts_of(paper, "figcaption .caption-number"), "".join(texts)
     assert len(numbers) > 5 and [number for number in numbers if number not in text] == []

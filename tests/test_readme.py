@@ -44,6 +44,12 @@ def test_a_bump_of_ones_own_is_the_figures(tmp_path, monkeypatch):
     assert {path.stem: record.read(path)[0].scene for path in tmp_path.iterdir()} == {n: scene_of(n) for n in BUMPS}
 
 
+def test_what_the_other_pages_show_runs():
+    for path in sorted(ROOT.glob("book/c*/*.md")):
+        for lines in re.findall(r"```python\n([\s\S]*?)```", path.read_text("utf-8")) * (path.stem != "own-fields"):
+            exec(lines, {})
+
+
 def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     readme = (ROOT / "README.md").read_text("utf-8")

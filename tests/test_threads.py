@@ -55,7 +55,9 @@ expected = other
 child(lambda: draw("sine"))
 busy.join()""",
     "in a child that is forked while another thread chooses its code": """
+from renderer.picture import drawing
 from renderer.shader import numbers
+drawing._same_shot.cache_clear()
 begun, style = threading.Event(), numbers.style_of
 numbers.style_of = lambda scene: begun.set() or time.sleep(0.2) or style(scene)
 busy = threading.Thread(target=draw)

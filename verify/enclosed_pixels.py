@@ -1,14 +1,18 @@
 """Pixels of random pictures with bounds, against 256-bit balls: python -m verify.enclosed_pixels
 
-Scenes of every field, model and gradient method, from the common to the extreme; of each picture some pixels at random,
-and as many of the largest bounds. Writes verify/results/enclosed_pixels.json: commit it.
+Truth is the pixel's program in balls, whose radius is below 1e-50. Scenes of every field, model and gradient method,
+from the common to the extreme; of each picture some pixels at random, and as many of the largest bounds and of each
+kind that is hard. Writes verify/results/enclosed_pixels.json: commit it.
 """
 
 from collections import Counter, defaultdict
+from collections.abc import Iterator
+from copy import copy
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from flint import arb, ctx
 from tqdm import tqdm
 
 from proofs.formulas.finite_difference import METHODS
@@ -18,10 +22,11 @@ from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from renderer.scene.scene import BUMPS
-from verify.accuracy.pixels import compared
 from verify.evidence.records import command
+from verify.reference import COLORS, chamber_code, lines_of
 
-EACH = 6  # pixels of a picture at random, and as many of the largest bounds
+BITS = 256
+EACH = 6  # pixels of a picture at random, and as many of each kind
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, *BUMPS, "exact", *METHODS)
 
 
@@ -31,6 +36,7 @@ def random_scene(random: np.random.Generator) -> Scene:
         radius = 10.0 ** random.uniform(-2, 2)
         center = tuple(random.normal(size=3) * radius * 10.0 ** random.uniform(-1, 1, 3))
         positions = random.normal(size=(random.integers(0, 6), 3)) * radius * 10.0 ** random.uniform(-0.5, 2, 3)
+        colors = [None if random.uniform() < 0.1 else tuple(random.uniform(0, 1, 3)) for _ in positions]
         try:
             return Scene(
                 radius=radius,
@@ -39,7 +45,7 @@ def random_scene(random: np.random.Generator) -> Scene:
                 floor=bool(random.uniform() < 0.9),
                 ball_radius=radius * 10.0 ** random.uniform(-2, 1),
                 ball_center=center,
-                lights=tuple(Light(tuple(p), None if random.uniform() < 0.1 else (1, 1, 1)) for p in positions),
+                lights=tuple(map(Light, map(tuple, positions), colors)),
             )
         except ValueError:
             continue  # B around the eye, or a light inside a body
@@ -55,11 +61,28 @@ def random_raster(random: np.random.Generator) -> tuple[int, int, tuple[int, int
     return width, height, (left, top, wide, high)
 
 
+def truth_of(frame: Frame, column: int, row: int, bits: int = BITS, **others: arb) -> dict[str, arb]:
+    """Return the balls of every line of a frame's pixel; others: what stands in place of the scene's numbers."""
+    scene, raster, method = frame.scene, frame.raster, frame.method
+    left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
+    place = {"column": left + column, "row": top + row, "width": raster.width, "height": raster.height}
+    return lines_of(scene, method.name, bits, **place, epsilon=method.eps or 0.0, **others)
+
+
+def compared(frame: Frame, column: int, row: int) -> tuple[list[arb], bool]:
+    """Return how far each channel of a pixel is from the truth, and whether the chamber is the true one."""
+    truth = truth_of(frame, column, row)
+    with ctx.workprec(BITS):
+        off = [abs(arb(c) - truth[name]) for c, name in zip(frame.rgb[row, column], COLORS, strict=True)]
+    code = chamber_code(frame.scene, lambda name: int(truth[name].unique_fmpz() or 0))
+    return off, bool(code == frame.chambers[row, column])
+
+
 def errors(frame: Frame, column: int, row: int) -> tuple[np.ndarray, np.ndarray, bool]:
     """Return what each channel of a pixel is certainly off, NaN where that is on an edge at any digits; its bound; and
     whether the chamber is another than the true one, and not open.
     """
-    _, enclosures, same_chamber = compared(frame, column, row)
+    enclosures, same_chamber = compared(frame, column, row)
     off = np.array([float(error.abs_lower()) for error in enclosures])
     return off, frame.bounds[row, column], not (same_chamber or frame.open[row, column])
 
@@ -81,11 +104,9 @@ def random_picture(seed: int) -> Frame:
         2.0 ** random.uniform(6, 20, 2),
     ]
     ku, kv = (float(k) for k in waves[seed % 4])
-    lights = [Light(light.position, light.color and tuple(random.uniform(0, 1, 3))) for light in scene.lights]
     method = [exact(), exact("general"), *(GradientMethod(m, 10.0 ** random.uniform(-8, -1)) for m in METHODS)]
     scene = replace(
         scene,
-        lights=tuple(lights),
         field=list(HEIGHT_FIELDS)[seed % len(HEIGHT_FIELDS)],
         model=list(LIGHT_MODELS)[seed // 3 % len(LIGHT_MODELS)],
         shininess=float(random.choice([32.0, 1.0, 7.3, 0.5, 1000.0, 12345.6])),
@@ -99,9 +120,35 @@ def random_picture(seed: int) -> Frame:
     return render(scene, width, height, method[seed // 4 % len(method)], crop, bounds=True)
 
 
+def _edges(codes):
+    """Return where a code differs from that of the pixel to the right, to the left, above or below."""
+    around = np.lib.stride_tricks.sliding_window_view(np.pad(codes, 1, "edge"), (3, 3))
+    return (around[..., (0, 2, 1, 1), (1, 1, 0, 2)] != codes[..., None]).any(axis=-1)
+
+
+def hard_kinds(frame: Frame) -> Iterator[np.ndarray]:
+    """Yield a plane for each kind of hard pixels, in which these have the smallest numbers."""
+    scene = frame.scene
+    surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
+    u, v = frame.surface_data["u"], frame.surface_data["v"]
+    flat = copy(frame)
+    flat.shot = replace(flat.shot, scene=replace(scene, beta=0.0))  # cosines there without the bump
+    yield -frame.bounds.max(axis=2)
+    yield np.where(_edges(surface), 0.0, np.inf)  # on the silhouette
+    yield np.where(_edges(shadows) & ~_edges(surface), 0.0, np.inf)  # at a shadow's edge
+    yield v  # next to the pole,
+    yield np.minimum(u, 1 - u)  # to the seam,
+    yield np.min([np.abs(w - np.rint(w)) for w in (scene.ku * u, scene.kv * v)], axis=0)  # to a crease
+    for each in (frame, flat) if scene.lights else ():  # on the terminator; where light grazes
+        yield np.min([np.abs(each.light_cosines(number)) for number in range(len(scene.lights))], axis=0)
+
+
 def places(frame: Frame, random: np.random.Generator, each: int) -> list[tuple[int, int]]:
-    """Return `each` pixels at random, and as many of the largest bounds, as (column, row)."""
-    flat = [*random.integers(0, frame.open.size, each), *np.argsort(frame.bounds.max(2).ravel())[-each:]]
+    """Return `each` pixels at random, then as many of each hard kind, as (column, row); among equals at random."""
+    flat = [*random.integers(0, frame.open.size, each)]
+    for plane in map(np.ravel, hard_kinds(frame)):
+        order = np.lexsort((random.random(plane.size), plane))[:each]
+        flat += [*order[np.isfinite(plane[order])]]
     rows, columns = np.unravel_index(flat, frame.open.shape)
     return list(zip(columns.tolist(), rows.tolist(), strict=True))
 

@@ -1,4 +1,4 @@
-"""One program, two ways to run it: float64 and mpmath agree to rounding. Bits: `tests/test_machines.py`."""
+"""One program, two ways to run it: float64 and balls agree to rounding. Bits: `tests/test_machines.py`."""
 
 from itertools import product
 
@@ -10,7 +10,7 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import kernels
 from renderer.generate import programs
 from renderer.shader.shader import difference
-from verify.evaluate import Reference
+from verify.evaluate.balls import Balls
 
 POINTS = 8
 RANGES = {
@@ -49,15 +49,15 @@ def random_inputs(program):
 
 
 @pytest.mark.parametrize("name", PRINTED)
-def test_mpmath_agrees(name):
-    """float64 against 50 digits: 1e-11, or what a difference of step ε ≥ 0.01 amplifies it to."""
+def test_balls_agree(name):
+    """float64 against 256 bits: 1e-11, or what a difference of step ε ≥ 0.01 amplifies it to."""
     program, kernel = PRINTED[name]
-    inputs, reference = random_inputs(program), Reference(program)
+    inputs, reference = random_inputs(program), Balls(program)
     with np.errstate(all="ignore"):
         outputs = kernel(*inputs.values())
     outputs = outputs if isinstance(outputs, tuple) else (outputs,)
     for point in range(POINTS):
-        truth = reference({name: float(values[point]) for name, values in inputs.items()})
+        truth = reference({name: float(values[point]) for name, values in inputs.items()}, 256)
         for symbol, output in zip(program.outputs, outputs, strict=True):
             expected, ours = float(truth[symbol.name]), np.broadcast_to(output, POINTS)[point]
             assert ours == pytest.approx(expected, rel=1e-11, abs=1e-11, nan_ok=True), symbol

@@ -20,9 +20,8 @@ from renderer.picture import stage
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import Shot
-from verify.accuracy.pixels import BITS
 from verify.coq.recorded_pixel import COLUMNS, ROWS
-from verify.enclosed_pixels import KINDS, errors, measure, wrong
+from verify.enclosed_pixels import BITS, KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 

@@ -10,7 +10,7 @@ from flint import arb, ctx
 from renderer import Light, Scene, central, central4, exact, fit, forward, operations, render
 from renderer.machines.differentiating import Sloped
 from renderer.machines.enclosing import Enclosed
-from verify.accuracy.pixels import truth_of
+from verify.enclosed_pixels import truth_of
 from verify.reference import COLORS, chamber_code, scene_values
 from verify.test_bounds import OPERATIONS
 

@@ -10,16 +10,7 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from book.assembly.stamps import Refused
 
 HERE = Path(__file__).parent
-# Headless, as root, and without a word to the network of its own.
-FLAGS = [
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
+FLAGS = ["--disable-gpu", "--disable-quic"]  # beside Playwright's own, by which it says no word to the network
 PAGE = {"width": 658, "height": 979}  # what A4 has inside its margins, in CSS pixels
 PATIENCE = 900_000  # milliseconds: a busy machine typesets thousands of formulas slowly
 FOOTER = (

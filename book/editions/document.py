@@ -13,9 +13,7 @@ from book.editions.pages import SHELL, Page, make_small, parsed, read_pages, tar
 from book.editions.pictures import inline_pictures
 
 HERE = Path(__file__).parent
-# A file that is read from a disk has nothing to search with.
 SHARED = "shared.js"  # which the file's own script needs; all others are marked data-moves, and are not printed
-LEFT_OUT = {"searchtools.js", "language_data.js", "searchindex.js"}
 POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; "
     "worker-src blob:; img-src data: blob:; font-src data:; connect-src 'none'; form-action 'none'; "
@@ -51,7 +49,7 @@ class Chapter:
         """Rename, link, and put pictures in; listings last, when it is known which of their lines are wanted."""
         for page in self.pages:
             rename(page, self.names)
-            for part in filter(None, (page.article, page.contents, page.neighbours, *page.downloads)):
+            for part in filter(None, (page.article, page.contents, page.neighbours)):
                 relink(part, page.name, self.names, self.pack)
                 self.used.update(link["href"] for link in part.find_all("a", href=True) if link["href"][0] == "#")
             inline_pictures(self.site, page)
@@ -78,16 +76,14 @@ class Chapter:
         self.packed[content] = link["id"] = f"file-{len(self.packed) + 1}"
         link["href"], link["download"] = address, f"{file.name}.gz"
 
-    def loads(self, kind: str) -> Iterator[tuple[Path, Tag]]:
+    def loads(self, kind: str) -> list[tuple[Path, Tag]]:
         """Return the files that pages load as <link> or <script>, each once: its file and its element.
 
         Scripts stand where they come first: what pages share precedes their own. Style sheets, where they come last.
         """
         pairs = [(path, tag) for page in self.pages for path, tag in page.loads.items() if tag.name == kind]
         tags = dict(pairs) if kind == "script" else dict(reversed(dict(reversed(pairs)).items()))
-        for path, tag in tags.items():
-            if Path(path).name not in LEFT_OUT:
-                yield self.site / path, tag
+        return [(self.site / path, tag) for path, tag in tags.items()]
 
     def scripts(self, deferred: bool) -> Iterator[Tag]:
         """Every script as an element, with its data: those that wait for the document, or those that do not."""
@@ -126,15 +122,11 @@ def wrapped(chapter: Chapter, page: Page) -> Tag:
 def put_pages(chapter: Chapter) -> None:
     shell = chapter.shell
     inside, contents = shell.select_one(".bd-article-container"), shell.select_one("#pst-page-toc-nav")
-    menu = shell.select_one(".dropdown-download-buttons ul")
     for page in chapter.pages:
         inside.append(wrapped(chapter, page))
-        for part in filter(None, (page.contents, *page.downloads)):
-            part["data-of"] = page.name  # it is shown with this page only
         if page.contents:
+            page.contents["data-of"] = page.name  # it is shown with this page only
             contents.append(page.contents)
-        for item in reversed(page.downloads):
-            menu.insert(0, item)
 
 
 def put_head(chapter: Chapter) -> None:

@@ -6,14 +6,13 @@ import io
 import re
 from functools import cache
 from pathlib import Path
-from urllib.parse import unquote
 
 from PIL import Image
 
 EMBEDDED = re.compile(r"data:image/png;base64,([A-Za-z0-9+/=\s]+)")
 COORDINATES = re.compile(r'(?<= d=")[^"]+|(?<= [xy]=")[^"]+')
 FRACTION = re.compile(r"-?\d+\.\d{3,}")
-TYPES = {".woff2": "font/woff2", ".woff": "font/woff", ".svg": "image/svg+xml"}
+TYPES = {".woff": "font/woff", ".svg": "image/svg+xml"}
 
 
 def base64_address(kind: str, content: bytes) -> str:
@@ -62,22 +61,17 @@ def svg_address(parts: list[str]) -> str:
 
 
 def inlined_styles(path: Path) -> str:
-    """Return a style sheet with what it loads as data: of a font offered twice, the WOFF2."""
+    """Return a style sheet with what it loads as data."""
 
     def inlined(match: re.Match) -> str:
-        name = unquote(match[1].strip("'\"").split("?")[0].split("#")[0])
-        if name.startswith("data:") or not name:
-            return match[0]
-        file = path.parent / name
+        file = path.parent / match[1].strip("'\"")
         return f'url("{data_address(file)}")' if file.is_file() else "none"
 
-    text = re.sub(r"/\*# sourceMappingURL=.*?\*/", "", path.read_text(encoding="utf-8"))
+    text = path.read_text(encoding="utf-8")
     text = re.sub(r'@import "([^"]+)";', lambda match: inlined_styles(path.parent / match[1]), text)
-    text = re.sub(r',\s*url\([^)]*\.ttf[^)]*\)\s*format\(["\']?truetype["\']?\)', "", text)
-    return re.sub(r"url\(((?:'[^']*'|\"[^\"]*\"|[^)'\"])*)\)", inlined, text).replace("</style", "<\\/style")
+    return re.sub(r"""url\((?!["']?data:)([^)]*)\)""", inlined, text).replace("</style", "<\\/style")
 
 
 def inlined_script(path: Path) -> str:
     """Return a script that may stand between <script> and </script>."""
-    text = re.sub(r"^//# sourceMappingURL=.*$", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
-    return re.sub(r"<(?=/script|!--)", r"<\\", text, flags=re.IGNORECASE)
+    return re.sub(r"<(?=/script|!--)", r"<\\", path.read_text(encoding="utf-8"), flags=re.IGNORECASE)

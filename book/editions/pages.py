@@ -25,7 +25,6 @@ class Page:
     article: Tag
     contents: Tag | None  # "on this page", a list of links
     neighbours: Tag | None  # links to the pages before and after
-    downloads: list[Tag]  # the items of the download menu
     loads: dict[str, Tag]  # style sheets and scripts by their paths in the site, in their order
 
     @property
@@ -56,14 +55,13 @@ def read_page(site: Path, name: str) -> Page:
     """Read one page. A listing is large, and nothing but its article is wanted, without colours."""
     text = (site / f"{name}.html").read_text(encoding="utf-8")
     if name.startswith("source/"):
-        return Page(name, parsed(COLORED.sub(r"\1", ARTICLE.search(text)[0])).article, None, None, [], {})
+        return Page(name, parsed(COLORED.sub(r"\1", ARTICLE.search(text)[0])).article, None, None, {})
     soup = parsed(text)
     article = soup.find("article", class_="bd-article")
     contents = soup.select_one("#pst-page-toc-nav > ul")
-    downloads = [link.find_parent("li") for link in soup.select(".dropdown-download-buttons a[href]")]
     loading = soup.select("link[rel=stylesheet][href], script[src]")
     loads = {target(name, tag.get("src") or tag["href"])[0]: tag for tag in loading}
-    return Page(name, article, contents, soup.find("footer", class_="prev-next-footer"), downloads, loads)
+    return Page(name, article, contents, soup.find("footer", class_="prev-next-footer"), loads)
 
 
 def linked(part: Tag, page: str) -> Iterator[str]:

@@ -39,7 +39,7 @@ from verify.coq.recorded import in_full
 from verify.coq.survey import AXIOMS, BESIDE
 
 OPEN = 3  # of the lines that a claim shows; the others are folded
-BEFORE = ("let", "given", "state", "cited", "from")  # what a claim starts from: folded, below what it shows
+BEFORE = ("let", "given", "state", "cited")  # what a claim starts from: folded, below what it shows
 KEYWORDS = re.compile(r"\b(Theorem|forall|exists|fun|let|in|if|then|else)\b")
 
 

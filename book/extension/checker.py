@@ -51,12 +51,10 @@ def packed(data: dict | list) -> nodes.raw:
 
 
 def given(book: Here, id: str) -> list[str]:
-    """Name in words what the theorem's statements borrow."""
+    """Name in words what the theorem's statements cite."""
     claims = book.proofs.theorems[id].claims
-    borrowed = dict.fromkeys(other for claim in claims for other, _ in getattr(claim, "borrowed", ()))
     cited = dict.fromkeys(lemma.source for claim in claims for lemma in getattr(claim, "cited", ()))
-    cards = [f"{book.name(other)}, which has its own card" for other in borrowed]
-    return cards + [f"a lemma from {source}" for source in cited]
+    return [f"a lemma from {source}" for source in cited]
 
 
 @on_page

@@ -21,6 +21,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 Nodes = list[nodes.Node]
 SUBSCRIPT = re.compile(r"(?<=\b[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?!\w)")
 PLACE = re.compile("(\0\\d+\0)")
+NOT_THERE = (ValueError, LookupError, OSError)
 _waiting: dict[str, Nodes] = {}
 _numbers = count()
 REGISTERED: list[tuple] = []  # the method of Sphinx's application that takes it, and what it is given
@@ -105,13 +106,13 @@ def _plain(text: str) -> Nodes:
 
 
 def directive(name: str, arguments: int = 0, content: bool = False, **options: Callable) -> Callable:
-    """Make a function of the directive its nodes; the ValueError of what is not there fails the build."""
+    """Make a function of the directive its nodes; the error of what is not there fails the build."""
 
     def register(nodes_of: Callable[[SphinxDirective], Nodes]) -> Callable:
         def run(self):
             try:
                 return nodes_of(self)
-            except ValueError as error:
+            except NOT_THERE as error:
                 raise self.error(f"{name}: {error}") from error
 
         members = {"required_arguments": arguments, "has_content": content, "option_spec": options, "run": run}
@@ -122,13 +123,13 @@ def directive(name: str, arguments: int = 0, content: bool = False, **options: C
 
 
 def role(name: str) -> Callable:
-    """Make a function of the role its nodes; the ValueError of what is not there fails the build."""
+    """Make a function of the role its nodes; the error of what is not there fails the build."""
 
     def register(nodes_of: Callable[[SphinxRole], Nodes]) -> Callable:
         def run(self):
             try:
                 return nodes_of(self), []
-            except ValueError as error:
+            except NOT_THERE as error:
                 message = self.inliner.reporter.error(f"{name}: {error}", line=self.lineno)
                 return [nodes.problematic(self.rawtext, self.rawtext)], [message]
 

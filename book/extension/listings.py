@@ -87,17 +87,9 @@ def write_downloads(app: Sphinx) -> None:
             (folder / f"{id}.py").write_text(standalone_script(id), encoding="utf-8")
 
 
-def source_file(name: str) -> Path:
-    """Return a file of the repository; ValueError if there is none."""
-    path = stamps.ROOT / name
-    if not path.is_file():
-        raise ValueError(f"there is no file {name}")
-    return path
-
-
 @role("source-lines")
 def source_lines(here: SphinxRole) -> Nodes:
-    lines = source_file(here.text).read_text(encoding="utf-8").splitlines()
+    lines = (stamps.ROOT / here.text).read_text(encoding="utf-8").splitlines()
     return [nodes.inline("", str(len(lines)), classes=["number"])]
 
 
@@ -110,26 +102,14 @@ def trusted_lines(here: SphinxRole) -> Nodes:
 
 @role("source-link")
 def source_link(here: SphinxRole) -> Nodes:
-    target = listing_address(source_file(here.text))
+    target = listing_address((stamps.ROOT / here.text).resolve(strict=True))
     return [nodes.reference("", "", nodes.literal("", here.text), refuri=target, internal=True)]
-
-
-def printed(name: str, wanted: list[str]) -> str:
-    """Return the lines of a function of the printed kernels that define the wanted names, in their order.
-
-    Raises ValueError on a function or a name that is not there.
-    """
-    kernels = import_module(PROJECT.kernels)
-    if name not in vars(kernels):
-        raise ValueError(f"{KERNELS} has no function {name!r}")
-    body = [line.strip() for line in inspect.getsource(getattr(kernels, name)).splitlines()]
-    lines = {line.partition(" = ")[0]: line for line in body if " = " in line}
-    if missing := [each for each in wanted if each not in lines]:
-        raise ValueError(f"{name!r} defines no {', '.join(missing)}; it defines {', '.join(lines)}")
-    return "\n".join([f"# {KERNELS}, {name}", *(lines[each] for each in wanted)])
 
 
 @directive("printed-lines", arguments=1, lines=directives.unchanged_required)
 def printed_lines(here: SphinxDirective) -> Nodes:
-    text = printed(here.arguments[0], here.options["lines"].split())
+    (name,) = here.arguments
+    body = inspect.getsource(vars(import_module(PROJECT.kernels))[name]).splitlines()
+    lines = {line.partition(" = ")[0].strip(): line.strip() for line in body}
+    text = "\n".join([f"# {KERNELS}, {name}", *(lines[each] for each in here.options["lines"].split())])
     return [nodes.literal_block(text, text, language="python", classes=["printed-lines"])]

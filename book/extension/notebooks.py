@@ -3,13 +3,12 @@
 :::{notebook} cell1
 :::
 
-Links to Colab and Binder stand beside it where `repository.url` of `_config.yml` names a repository of GitHub's: they
-open a notebook from a branch, `repository.branch`, to which the workflow that publishes the site gives it too.
+A link to Colab stands beside it where `repository.url` of `_config.yml` names a repository of GitHub's: it opens the
+notebook from a branch, `repository.branch`, to which the workflow that publishes the site gives it too.
 """
 
 import re
 from base64 import b64decode
-from functools import partial
 from itertools import groupby
 from pathlib import Path
 
@@ -25,7 +24,6 @@ from book.notebooks.laboratory import PAGE, cells, notebooks
 
 FOLDER = "_downloads/notebooks"
 GITHUB = re.compile(r"https://github\.com/([\w.-]+/[\w.-]+?)(?:\.git)?/?")
-PINNED = re.compile(r"^(?:matplotlib|mpmath|numpy|sympy)==[^\\\n]*[^\\\s]", re.MULTILINE)  # what the cells import
 CODE = (
     'cell_input docutils container">\n<div class="highlight-ipython3 notranslate">'
     '<div class="highlight"><pre><span></span>'
@@ -41,8 +39,6 @@ SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
 def notebook_links(here: SphinxDirective) -> Nodes:
     name = here.arguments[0]
     titles = {cell.name: f"Cell {cell.number}" for cell in cells()} | {WHOLE: "all cells"}
-    if name not in titles:
-        raise ValueError(f"{name!r} is not allowed: one of {', '.join(titles)}")
     code = "" if name == WHOLE else f"#{name} .cell_input pre"
     return ways_to_run(here, name, titles[name], notebooks()[name], code)
 
@@ -63,18 +59,10 @@ def ways_to_run(here: SphinxDirective, name: str, title: str, notebook: Notebook
     return [filled("notebook_links", **link)]
 
 
-@partial(on_page, priority=400)
-def offer_notebooks(page: Page) -> None:
-    """Write the notebooks, and what Binder installs; the theme lists that of all cells in its download menu."""
-    out = Path(page.app.outdir)
+@on_page
+def write_notebooks(page: Page) -> None:
     for content, name in HELD.findall(page.context.get("body", "")):
-        stamps.write_whole(out / FOLDER / name, b64decode(content))
-    if page.name != PAGE.stem:
-        return
-    lock = stamps.LOCK_FILE.read_text(encoding="utf-8")
-    stamps.write_whole(out / "requirements.txt", "\n".join([*PINNED.findall(lock), ""]).encode())
-    stamps.write_whole(out / "_sources" / f"{page.name}.ipynb", (out / FOLDER / f"{WHOLE}.ipynb").read_bytes())
-    page.context["ipynb_source"] = f"{page.name}.ipynb"
+        stamps.write_whole(Path(page.app.outdir, FOLDER, name), b64decode(content))
 
 
 @on_page

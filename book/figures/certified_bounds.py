@@ -11,7 +11,7 @@ from book.figures.chapter_scene import FIELD_NAMES, FINE, SIZE, certified_number
 from renderer import HeightField, Scene, render, u, v
 from renderer.intervals import rounded_up
 from renderer.picture.views import difference_logarithmic
-from verify.accuracy.pixels import compared
+from verify.enclosed_pixels import compared
 
 SIDE, ZOOM = 64, 4  # few enough pixels for 256-bit balls of every one
 LOW, HIGH = -18, -8
@@ -23,7 +23,7 @@ def certified_bounds() -> Drawing:
     """The picture, the bound that it carries, and its true error, of every pixel of a small raster."""
     frame = symbolic(size=SIDE)
     places = ((column, row) for row in range(SIDE) for column in range(SIDE))
-    off = [[float(each.upper()) for each in compared(frame, *place)[1]] for place in places]
+    off = [[float(each.upper()) for each in compared(frame, *place)[0]] for place in places]
     bounds, errors = frame.bounds, np.reshape(off, (SIDE, SIDE, 3))  # rounded up, from 256-bit balls
     if (errors > bounds).any():
         raise ValueError(f"{(errors > bounds).sum()} colours are further from the truth than their bound")

@@ -1,23 +1,19 @@
 """Small pictures beside the words that they are of: a crease enlarged, the four experiments, the pitfalls."""
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import panels
 from book.figures.chapter_scene import averaged, enlarged, numeric, symbolic
-from renderer import Scene, central, exact, gradient_at, kernels, render
+from renderer import Scene, central, exact, kernels, render
 from renderer.picture.frame import Frame
 from renderer.picture.views import difference_logarithmic, image_view, slope_view
-from verify.accuracy.frontiers import wall
 
 FINE_SIDE = 600  # a raster whose pixels' centres lie on the diagonals, as creases do
 SMALL, LOW, HIGH = 200, -12, 0
 EPS = 1e-2
 CREASE_STEPS = (1e-2, 3e-3, 1e-3)
 BETAS = (0.35, 0.1, 0.02, 0.0)
-TEXELS = 65
 
 
 def step_name(eps: float) -> str:
@@ -29,22 +25,6 @@ def step_name(eps: float) -> str:
 def cropped(scene: Scene, crop: tuple[int, int, int, int], *methods) -> list[Frame]:
     """Return the crop of the raster of FINE_SIDE, (left, top, width, height), by each method."""
     return [render(scene, FINE_SIDE, FINE_SIDE, method, crop=crop, bounds=True) for method in methods]
-
-
-def three_of(scene: Scene, crop: tuple[int, int, int, int]) -> Drawing:
-    """Draw a crop by a difference, exactly, and their difference, every pixel four times as wide."""
-    one, other = shown = cropped(scene, crop, central(EPS), exact())
-    pictures = image_view(one), image_view(other), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
-    titles = ("numeric", "symbolic", "difference")
-    return Drawing(panels([enlarged(each, 4) for each in pictures], titles, (LOW, HIGH)), {"eps": EPS}, shown=shown)
-
-
-def differences_of_sine(steps: Iterable[float], low: int = LOW) -> Drawing:
-    """Draw the difference of the pipelines' pictures of sine at each step, from 10^low on."""
-    right = symbolic("sine", SMALL)
-    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in steps]
-    pictures = [difference_logarithmic(frame.rgb - right.rgb, low, HIGH) for frame in frames]
-    return Drawing(panels(pictures, [*map(step_name, steps)], (low, HIGH)), shown=(*frames, right))
 
 
 @figure
@@ -60,7 +40,10 @@ def crease_close_up() -> Drawing:
 @figure
 def sweep_of_sine() -> Drawing:
     """The difference of the pipelines' pictures of sine, at four steps."""
-    return differences_of_sine((1e-1, 1e-3, 1e-6, 1e-16), -16)
+    right, steps, scale = symbolic("sine", SMALL), (1e-1, 1e-3, 1e-6, 1e-16), (-16, HIGH)
+    frames = [numeric("sine", SMALL, eps, bounds=True) for eps in steps]
+    pictures = [difference_logarithmic(frame.rgb - right.rgb, *scale) for frame in frames]
+    return Drawing(panels(pictures, [*map(step_name, steps)], scale), shown=(*frames, right))
 
 
 @figure
@@ -72,33 +55,12 @@ def flattening() -> Drawing:
 
 
 @figure
-def pitfall_step() -> Drawing:
-    """The difference of the pipelines on sine, at the best step and at one that is far smaller."""
-    return differences_of_sine((1e-6, 1e-13))
-
-
-@figure
-def pitfall_crease() -> Drawing:
-    """A crease of ridges, by a difference, exactly, and their difference."""
-    return three_of(Scene(), (207, 303, 44, 44))
-
-
-@figure
 def pitfall_seam() -> Drawing:
-    """Sine with an odd wave number at the seam, which is the ray to the left."""
-    return three_of(Scene(field="sine", ku=7), (120, 232, 44, 44))
-
-
-@figure
-def pitfall_table() -> Drawing:
-    """The slope h_u of ridges on a piece of the chart: by its formula, from a table, and the difference."""
-    v, u = np.mgrid[0:192, 0:192] / 192 * 0.25 + 0.06
-    table = wall.slope("ridges", TEXELS, "bilinear", (u.ravel(), v.ravel())).reshape(u.shape)
-    right = gradient_at(Scene(), u, v, exact())[0]
-    grey = [np.repeat(np.uint8(np.clip(127 + 5 * each, 0, 255))[..., None], 3, axis=2) for each in (right, table)]
-    pictures = [*grey, difference_logarithmic(table - right, -2, 2)]
-    fig = panels(pictures, ("the formula's slope", f"from {TEXELS}² heights", "difference"))
-    return Drawing(fig, {"texels": TEXELS})
+    """Sine with an odd wave number at the seam, the ray to the left: by a difference, exactly, and their difference."""
+    one, other = shown = cropped(Scene(field="sine", ku=7), (120, 232, 44, 44), central(EPS), exact())
+    pictures = image_view(one), image_view(other), difference_logarithmic(one.rgb - other.rgb, LOW, HIGH)
+    titles = ("numeric", "symbolic", "difference")
+    return Drawing(panels([enlarged(each, 4) for each in pictures], titles, (LOW, HIGH)), {"eps": EPS}, shown=shown)
 
 
 @figure

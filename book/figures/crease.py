@@ -1,4 +1,4 @@
-"""The difference where no field is smooth: at a crease, over all of them (the √ε law of ridges), at the pole."""
+"""The difference where no field is smooth: at a crease, and over all of them (the √ε law of ridges)."""
 
 import numpy as np
 
@@ -6,7 +6,6 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import DASHED, SHORT, SOLID, colour_of, curve, label_line_end, plot
 from book.figures.chapter_scene import SCENE, numeric, symbolic
 from renderer import central, exact, gradient_at
-from verify.accuracy import orders
 from verify.accuracy.canvas import crease_contrast
 from verify.accuracy.orders import SLOPES, fitted_slope, predicted, quadrature
 
@@ -61,9 +60,3 @@ def ridge_law() -> Drawing:
         numbers[f"{name}_slope"] = fitted_slope(STEPS[FITTED], values[FITTED])
         numbers[f"{name}_constant"] = (values / right)[FITTED].max()
     return Drawing(numbers=numbers)
-
-
-@figure
-def clamped_order() -> Drawing:
-    """The fitted orders of the difference clamped at the pole, v = ε/2, in exact arithmetic; numbers only."""
-    return Drawing(numbers={name: fitted_slope(orders.STEPS, orders.clamped_errors(name)) for name in orders.FIELDS})

@@ -67,25 +67,23 @@ def derivative_u_curve() -> Drawing:
     curve(ax, steps, bound, "bound", label="exact slope")
     label_curve(ax, steps, bound, 1e-3, "largest bound of\nthe exact slope", "bound", "below")
     decades(ax, 2, 2, xlabel="step of β", ylabel="error of a difference of pictures")
-    numbers = {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0], "median": medians.min()}
+    numbers = {"least": errors.min(), "best_step": steps[errors.argmin()], "bound": bound[0]}
     return Drawing(fig, numbers | {"side": len(exact_slope)})
 
 
 @figure
 def derivative_fit() -> Drawing:
-    """Scenes found again by β and k_u from ten starts, with noise, and from afar; numbers only."""
+    """Scenes found again by β and k_u from ten starts, and from afar; numbers only."""
     names, random, target = ("beta", "ku"), np.random.default_rng(52), render(SCENE, 64, 64, exact("general")).rgb
 
-    def found(share, waves, picture=target):
+    def found(share, waves):
         start = {"beta": SCENE.beta * (1 + share), "ku": SCENE.ku + waves}
-        return fit(SCENE.with_numbers(start), picture, names)
+        return fit(SCENE.with_numbers(start), target, names)
 
     near = [found(0.2 * share, 0.25 * waves) for share, waves in random.uniform(-1, 1, (10, 2)).tolist()]
-    noisy, far = found(0.1, 0.2, target + random.normal(0, 1e-3, target.shape)), found(-0.7, -5)
     off = [abs(each.scene.number(name) - SCENE.number(name)) for each in near for name in names]
-    numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": far.scene.ku}
-    numbers |= {"most": max(each.pictures for each in near), "error": noisy.errors, "side": len(target)}
-    return Drawing(numbers=numbers | {"noisy": {name: noisy.scene.number(name) for name in names}})
+    numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": found(-0.7, -5).scene.ku}
+    return Drawing(numbers=numbers | {"most": max(each.pictures for each in near), "side": len(target)})
 
 
 @figure

@@ -1,21 +1,18 @@
-"""The ε-sweep: the RMS and the largest difference of the three fields' pictures on A against the step."""
+"""The ε-sweep: the difference of the three fields' pictures on A against the step."""
 
 from functools import cache
 
 import numpy as np
 
 from book.drawing.registry import Drawing, figure
-from book.drawing.style import DASHED, DOTTED, SHORT, SOLID, curve, decades, label_curve, plot, slope_triangle
+from book.drawing.style import DASHED, DOTTED, SOLID, curve, decades, plot, slope_triangle
 from book.figures.chapter_scene import FIELD_NAMES, SIZE, numeric, symbolic
-from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, render
 from renderer.intervals import Interval
 from renderer.picture.differences import distance_on_a
 from renderer.picture.facts import flat_difference, flips_everywhere, pixels_near_the_pole
 from renderer.picture.sweep import DECADES, records, sweep
 from verify.accuracy.orders import enclosed_slope
-from verify.accuracy.stacking import steepest
-from verify.accuracy.step_terms import BOUNDS
 
 STEPS = np.logspace(-1, -15, 57)
 SHOWN = 49  # of them, down to 1e-13, in the picture of the RMS alone
@@ -47,49 +44,11 @@ def eps_sweep() -> Drawing:
     decades(ax, 2, 2, ylim=(1e-13, 1), xlabel="step ε", ylabel="RMS difference on A")
     slope_triangle(ax, 3e-3, 1e-7, 2)
     slope_triangle(ax, 2e-5, 1e-4, 0.5)
-    return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()]})
-
-
-@np.errstate(all="ignore")  # a selection computes both of its sides
-def _allowed(field):
-    """Return what β, k and ε allow the largest difference to be, at every step: L|β||Δg| of theorem difference_bound.
-
-    |Δg| ≤ hypot(bound of h_u, bound of h_v), by theorem difference_bounds, at the pixel of A where that is largest.
-    """
-    scene, data = Scene(field=field), symbolic(field).data_on_a
-    of_slopes = (BOUNDS[field, "central"](data["u"], data["v"], scene.ku, scene.kv, eps)[2:] for eps in STEPS)
-    return steepest(scene).max() * abs(scene.beta) * np.array([np.hypot(*both).max() for both in of_slopes])
-
-
-@figure
-def image_error() -> Drawing:
-    """The largest and the RMS difference of the pictures on A against ε, 256 × 256, for sine, ridges and rings."""
-    fig, axes = plot("page", 3.4, ncols=3, sharey=True)
-    slack, drawn = {}, {}
-    for ax, field in zip(axes, FIELD_NAMES, strict=True):
-        allowed, intervals = _allowed(field), _curves(field)["largest"]
-        if any(each.upper > most for each, most in zip(intervals, allowed, strict=True)):
-            raise ValueError(f"{field}: a picture's difference is above what its gradients' errors allow")
-        largest, rms = drawn[field] = [_values(each) for each in _curves(field).values()]
-        curve(ax, STEPS, allowed, "bound")
-        curve(ax, STEPS, largest, "difference", label="largest", linewidth=1.5)
-        curve(ax, STEPS, rms, "difference", label="RMS", linewidth=1.2, linestyle=SHORT)
-        decades(ax, 4, 4, ylim=(1e-14, 1e3), title=field, xlabel="step ε")
-        if not HEIGHT_FIELDS[field].creases:
-            slope_triangle(ax, 3e-4, 1e-8, 2)
-        slack[field] = np.median(allowed / largest)
-    axes[0].set_ylabel("error on A")
-    label_curve(axes[0], STEPS, 20 * _allowed("sine"), STEPS[32], "of β, k, ε", "bound")
-    largest, rms = drawn["ridges"]
-    label_curve(axes[1], STEPS, largest, 1e-3, "largest", "difference", "above")
-    label_curve(axes[1], STEPS, rms / 6, 3e-3, "RMS", "difference", "below")
     # Between which numbers the least over all steps lies, and the step where it was computed.
     differences = _curves("sine")["largest"]
-    lower, upper = Interval(
-        *(min(getattr(each, end) for each in differences) for end in ("value", "lower", "upper"))
-    ).outward()
-    floor = {"from": lower, "to": upper, "eps": STEPS[drawn["sine"][0].argmin()]}
-    return Drawing(fig, {"sine_largest": floor, "slack": slack})
+    least = Interval(*(min(getattr(each, end) for each in differences) for end in ("value", "lower", "upper")))
+    floor = dict(zip(("from", "to"), least.outward(), strict=True)) | {"eps": STEPS[_values(differences).argmin()]}
+    return Drawing(fig, {"sine_best_eps": steps[shown["sine"].argmin()], "sine_largest": floor})
 
 
 def _interval(row, name):

@@ -148,6 +148,8 @@ def seed_pictures() -> Drawing:
         "off_a": np.abs(large.rgb - right.rgb)[~on_a].max(),
         "levels_changed": np.mean(levels > 0),
         "sum_over_length": np.max(sum_of_slopes[length > 0] / length[length > 0]),
+        "kink_share": np.mean(right.kink[on_a]),
+        "straddling_share": np.mean(large.straddling[on_a]),
         "straddled_without_flag": np.mean(~right.kink[large.straddling & on_a]),
         "sine_rms_slope": enclosed_slope(steps, sine),
         "first_visible": first_visible_step(),

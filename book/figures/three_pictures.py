@@ -1,19 +1,17 @@
-"""The chapter's pictures: the front page's, numeric beside symbolic and their difference, and the views of a frame."""
+"""The chapter's pictures: the front page's, numeric beside symbolic and their difference, and means of many samples."""
 
 from functools import cache
 
-import numpy as np
-
 from book.drawing.registry import Drawing, certified, figure
 from book.drawing.style import TITLE, canvas, panels, pixel_picture, pixel_text
-from book.figures.chapter_scene import FINE, SCENE, TELLING_EPS, averaged, numeric, smooth, symbolic
+from book.figures.chapter_scene import FINE, SCENE, TELLING_EPS, numeric, smooth, symbolic
 from renderer import Scene, central, exact, render
 from renderer.picture.differences import distance_on_a
-from renderer.picture.views import difference_logarithmic, image_view, kink_view, slope_view, to_bytes
+from renderer.picture.views import difference_logarithmic, to_bytes
 from verify.accuracy import stacking
 
 LOW, HIGH = -8, 0
-SIDE, VIEW_SIDE = 264, 220
+SIDE = 264
 WIDTH, HEIGHT, HERO_EPS = 640, 480, 3e-2
 ENLARGED, CREASE = 4, (690, 270, 272, 216)  # where the creases are that are shown enlarged, in enlarged pixels
 TITLES = ("numeric", "symbolic", "difference")
@@ -29,20 +27,6 @@ def three_pictures() -> Drawing:
     if numbers["undecided"]:
         raise ValueError("a pixel of the three pictures is undecided, and §1 says that every colour has its bound")
     return Drawing(fig, numbers, shown=shown)
-
-
-@figure
-def views() -> Drawing:
-    """The symbolic picture of ridges, its slope, its kink flags, and the pixels whose difference straddles."""
-    fine, fine_step = symbolic("ridges", VIEW_SIDE * FINE), numeric("ridges", VIEW_SIDE * FINE)
-    straddling = np.where(fine_step.straddling[..., None], np.uint8(255), image_view(fine) // 3)
-    pictures = [image_view(fine), slope_view(fine), kink_view(fine), straddling]
-    pictures = [averaged(np.dstack([picture] * 3) if picture.ndim == 2 else picture) for picture in pictures]
-    fig = panels(pictures, ("image", "slope |∇h|", "kink flag", "straddling"))
-    frame, stepped = symbolic("ridges", VIEW_SIDE), numeric("ridges", VIEW_SIDE)
-    flags = {"kink": frame.kink, "straddling": stepped.straddling}
-    shares = {f"{name}_share": flag.sum() / frame.stage.on_a.sum() for name, flag in flags.items()}
-    return Drawing(fig, {"eps": TELLING_EPS, "steepest": frame.slope.max()} | shares, shown=(fine,))
 
 
 @cache

@@ -113,11 +113,8 @@ class Ledger:
     faults: tuple[str, ...] = ()
 
     def get(self, id: str) -> LedgerClaim:
-        """Return the claim of an id; BadLedger if there is none."""
-        for claim in self.claims:
-            if claim.id == id:
-                return claim
-        raise BadLedger([f"{id!r}: no claim has this id"])
+        """Return the claim of an id; KeyError if there is none."""
+        return {claim.id: claim for claim in self.claims}[id]
 
     def sorted_by_place(self) -> list[LedgerClaim]:
         """Return the seed's claims in the order of its places, then the book's by page."""

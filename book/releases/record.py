@@ -18,7 +18,6 @@ from proofs.printers.coq_statements import statements
 from verify.coq import recorded
 
 GENERATED, BENCHMARKS = PROJECT.generated, PROJECT.root / PROJECT.benchmarks
-FORMAT = 1
 RULES = stamps.ROOT / "releases" / "tolerances.toml"
 ANY = "any"  # of a label, which may be anything
 
@@ -32,7 +31,6 @@ def make() -> dict:
     paths = [path for path in sorted(GENERATED.glob("*.json")) if path.name != report.REPORT.name]
     figures = [stamps.table_in(path) for path in paths]
     return {
-        "format": FORMAT,
         "version": version(),
         "theorems": theorems(),
         "numbers": {k: v for figure in figures for k, v in _numbers(figure["id"], figure["numbers"]).items()},

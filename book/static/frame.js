@@ -17,8 +17,7 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
   function colour(mode) {
     const theme = mode === "auto" ? (dark.matches ? "dark" : "light") : mode;
     Object.assign(root.dataset, { mode, theme });
-    localStorage.setItem("mode", mode);
-    localStorage.setItem("theme", theme);
+    Object.assign(localStorage, { mode, theme });
   }
 
   /** The modes go round: first the one that is unlike the system's. */

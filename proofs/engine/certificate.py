@@ -55,21 +55,21 @@ from proofs.engine.project import PROJECT
 from proofs.engine.search import MAX_EFFORT, search
 from proofs.engine.statement import VERSION
 from proofs.engine.stored import FOLDER, Found, NotFound, Proved, Stale, evidence, path_of, statements, stored
-from proofs.engine.theorem import Theorem, Theorems, all_theorems
+from proofs.engine.theorem import Theorem, all_theorems
 
 
-def prove(claim: AnyClaim, theorems: Theorems, effort: int = MAX_EFFORT) -> list[Proved]:
+def prove(claim: AnyClaim, effort: int = MAX_EFFORT) -> list[Proved]:
     """Return the proofs of a claim, searched anew; raises NotFound.
 
     >>> from proofs.engine import kernel
     >>> from proofs.engine.certificate import prove
     >>> from proofs.theorems.language import Claim, at_least, real
     >>> x, y = real("x y")
-    >>> ((statement, certificate, _),) = prove(Claim("means", at_least(x**2 + y**2, 2 * x * y)), {})
+    >>> ((statement, certificate, _),) = prove(Claim("means", at_least(x**2 + y**2, 2 * x * y)))
     >>> statement["steps"][0]["of"], kernel.check(statement, certificate)
     ({'x y': '-2', 'x^2': '1', 'y^2': '1'}, None)
     """
-    return [_proved(s, claim.squares, effort) for s in statements(claim, theorems)]
+    return [_proved(s, claim.squares, effort) for s in statements(claim)]
 
 
 def _proved(statement, squares, effort):
@@ -101,9 +101,9 @@ def wrong_with(proofs: Found) -> list[str]:
     return [f"{claim.name}: {why}" for claim, cases in proofs for why in reasons(cases) if why]
 
 
-def _is_stale(theorem, theorems):
+def _is_stale(theorem):
     try:
-        return bool(wrong_with(stored(theorem, theorems)))
+        return bool(wrong_with(stored(theorem)))
     except (Stale, NotFound):
         return True
 
@@ -123,10 +123,10 @@ def main(arguments: list[str] | None = None) -> int:
     FOLDER.mkdir(exist_ok=True)
     for id in named:
         theorem = theorems[id]
-        if not options.all and not _is_stale(theorem, theorems):
+        if not options.all and not _is_stale(theorem):
             continue
         try:
-            proofs = evidence(theorem, theorems, prove)
+            proofs = evidence(theorem, prove)
             wrong = wrong_with(proofs)
         except NotFound as error:
             wrong = [str(error)]

@@ -69,7 +69,7 @@ SEVERAL = {
 class Parts:
     """The base of claims, theorems and their parts: each field of SEVERAL is a tuple once it is made."""
 
-    borrowed = cited = squares = ()  # for claims without them
+    cited = squares = ()  # for claims without them
 
     def __post_init__(self):
         put(self, **{name: flat(value) for name, value in vars(self).items() if name in SEVERAL})
@@ -108,9 +108,8 @@ class Claim(Parts):
 
     shows: relations, in order; one that is proved may be used for the next. given: relations over the names of
     `lines` and further free symbols. lines: the program whose names the relations use. squares: polynomials whose
-    squares the search may use in an inequality. borrowed: (theorem id, claim name) of claims whose conclusions are
-    used here; that claim's `given` and lines must be among this one's. cited: lemmas whose relations are used here.
-    ranges: {symbol, or several: (low, high)} for sampling; once made, pairs.
+    squares the search may use in an inequality. cited: lemmas whose relations are used here. ranges: {symbol, or
+    several: (low, high)} for sampling; once made, pairs.
 
     >>> from proofs.theorems.language import Claim, at_least, real
     >>> x, y = real("x y")
@@ -126,7 +125,6 @@ class Claim(Parts):
     given: Some = ()
     lines: Program | None = None
     squares: Some = ()
-    borrowed: Any = ()
     ranges: Any = ()
     cited: Some = ()
 

@@ -71,7 +71,6 @@ def standalone_script(theorem_id: str) -> str:
     theorem = all_theorems()[theorem_id]
     if not theorem.claims:
         raise ValueError(f"{theorem_id} is {theorem.expected}: it has no certificate")
-    borrowed = [f"{id}/{name}" for claim in theorem.claims for id, name in claim.borrowed]
     cited = [lemma.source for claim in theorem.claims for lemma in claim.cited]
     return SCRIPT.format(
         header=_header(theorem),
@@ -79,7 +78,7 @@ def standalone_script(theorem_id: str) -> str:
         check=inspect.getsource(check).strip(),
         data=path_of(theorem).read_text(encoding="utf-8"),
         id=theorem_id,
-        given=", ".join(dict.fromkeys([*borrowed, *cited])),
+        given=", ".join(dict.fromkeys(cited)),
         run=inspect.getsource(run).strip(),
     )
 

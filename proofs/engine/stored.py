@@ -11,7 +11,7 @@ from proofs.engine.induction import induction
 from proofs.engine.names import plain
 from proofs.engine.project import PROJECT
 from proofs.engine.statement import VERSION, cases_of
-from proofs.engine.theorem import Theorem, Theorems, borrowed
+from proofs.engine.theorem import Theorem
 
 Proved = tuple[dict, dict, dict | None]  # a statement, its certificate, a point where its hypotheses hold
 Found = list[tuple[AnyClaim, list[Proved]]]
@@ -33,20 +33,20 @@ def show_polynomial(p: dict) -> str:
     return text + (f" + … ({len(terms)} terms)" if len(terms) > MOST_SHOWN else "")
 
 
-def statements(claim: AnyClaim, theorems: Theorems) -> list[dict]:
+def statements(claim: AnyClaim) -> list[dict]:
     """Return the statements of a claim, as the formulas stand now; raises Untranslatable."""
     try:
-        return _statements(claim, theorems)
+        return _statements(claim)
     except Untranslatable:
         raise
     except RecursionError:
         raise Untranslatable(f"{claim.name}: it is nested too deeply") from None
-    except Exception as why:  # too large, nothing that can be compared; or not borrowed
+    except Exception as why:  # too large, or nothing that can be compared
         words = "; ".join(map(str, why.args)) or "SymPy gives no reason"
         raise Untranslatable(f"{claim.name}: no rule translates it: {words}") from None
 
 
-def _statements(claim, theorems):
+def _statements(claim):
     if isinstance(claim, Separation):
         defined = {*claim.lines.inputs, *dict(claim.lines.definitions)}
         plain(defined, "extended_real")
@@ -57,30 +57,30 @@ def _statements(claim, theorems):
         return [{"version": VERSION, "kind": "separation", "lines": lines, "outputs": outputs, "avoid": avoid}]
     if isinstance(claim, Induction):
         return [induction(claim)]
-    return [statement for statement, _ in cases_of(borrowed(claim, theorems))]
+    return [statement for statement, _ in cases_of(claim)]
 
 
-def each_shown(claim: AnyClaim, theorems: Theorems) -> list[dict]:
+def each_shown(claim: AnyClaim) -> list[dict]:
     """Return the derivations of a Claim's conclusions, one each.
 
     A lemma that the claim cites is left out: where its conditions fail, the claim need not.
     """
     shows = claim.shows if isinstance(claim, Claim) else ()
-    return [s for shown in shows for s in statements(claim.but(cited=(), shows=shown), theorems)]
+    return [s for shown in shows for s in statements(claim.but(cited=(), shows=shown))]
 
 
-def refute(claim: AnyClaim, point: Iterable[tuple], theorems: Theorems) -> list[Proved]:
+def refute(claim: AnyClaim, point: Iterable[tuple]) -> list[Proved]:
     """Return the refutation of a claim at the point ((symbol, value), …); raises NotFound."""
-    pair = refutation(each_shown(claim, theorems), dict(point))
+    pair = refutation(each_shown(claim), dict(point))
     if pair is None:
         raise NotFound(f"no certificate found: {claim.name}")
     return [(*pair, None)]
 
 
-def evidence(theorem: Theorem, theorems: Theorems, prove: Callable) -> Found:
+def evidence(theorem: Theorem, prove: Callable) -> Found:
     """Return the proofs that `prove` finds of each claim of a theorem, or its refutation; raises NotFound."""
     point = theorem.refuted_at
-    return [(c, prove(c, theorems) if point is None else refute(c, point, theorems)) for c in theorem.claims]
+    return [(c, prove(c) if point is None else refute(c, point)) for c in theorem.claims]
 
 
 def path_of(theorem: Theorem) -> Path:
@@ -88,7 +88,7 @@ def path_of(theorem: Theorem) -> Path:
     return FOLDER / f"{theorem.id}.json"
 
 
-def stored(theorem: Theorem, theorems: Theorems) -> Found:
+def stored(theorem: Theorem) -> Found:
     """Return [(claim, its proofs or refutation)] from the file, or raise Stale.
 
     The statements are translated afresh from the formulas; the file's must be the same, or assume less.
@@ -104,9 +104,9 @@ def stored(theorem: Theorem, theorems: Theorems) -> Found:
     for claim in theorem.claims:
         old = entries.pop(claim.name, [])
         if theorem.expected == "refuted":
-            now = [s for s, *_ in refute(claim, theorem.refuted_at or (), theorems)]
+            now = [s for s, *_ in refute(claim, theorem.refuted_at or ())]
         else:
-            now = statements(claim, theorems)
+            now = statements(claim)
         if len(now) != len(old) or not all(_still_proves(claim, *pair) for pair in zip(now, old, strict=True)):
             raise Stale(
                 f"{theorem.id}/{claim.name}: the formulas no longer say what the stored certificate proves; "

@@ -9,7 +9,7 @@ from typing import Any
 
 from sympy import Symbol
 
-from proofs.engine.claim import AnyClaim, Claim, Parts, point
+from proofs.engine.claim import AnyClaim, Parts, point
 from proofs.engine.program import Some, flat, put
 from proofs.engine.project import PROJECT
 
@@ -120,8 +120,7 @@ class Theorem(Parts):
     statement may be {text: what says it}, or Clauses. short: the same in fewer words, for a page where the statement is
     folded, said by some of what says that.
     claims: those to check; of clauses, theirs. steps: the argument, {what: why, or (why, ids of the
-    theorems that it cites)}, or Steps. uses: ids of the theorems that it rests on: those that claims borrow from or
-    steps use are added. side_conditions: each with its edge tests. mutants: at least two.
+    theorems that it cites)}, or Steps. side_conditions: each with its edge tests. mutants: at least two.
     refuted_at: of a false statement, the exact point, as a side condition's, where its one claim fails; such a theorem
     is `refuted`, and its mutants are the true variants, which that point must not refute. expected: the grade that a
     run has to reach, where the rest does not say it. Without claims it is `measured` or `certified`, by a function in
@@ -151,7 +150,6 @@ class Theorem(Parts):
     steps: Some = ()
     hypotheses: Some = ()
     side_conditions: Some = ()
-    uses: Some = ()
     refuted_at: Any = None
     expected: str = ""
     rounded: Some = ()
@@ -170,7 +168,7 @@ class Theorem(Parts):
         if self.refuted_at is not None:
             put(self, refuted_at=point(self.refuted_at))
             shown = "refuted"
-        put(self, uses=tuple(dict.fromkeys((*self.named, *self.uses))), expected=self.expected or shown)
+        put(self, expected=self.expected or shown)
         if self.expected not in GRADES:
             raise ValueError(f"{self.id}: expected = {self.expected!r} is not one of {', '.join(GRADES)}")
         checked = bool(self.claims) or not (self.pinned or self.rounded or self.expected in WITHOUT_CLAIMS)
@@ -203,10 +201,9 @@ class Theorem(Parts):
         return " ".join(clause.text for clause in self.clauses)
 
     @property
-    def named(self) -> list[str]:
-        """The theorems that a claim borrows from or a step uses."""
-        lent = [id for claim in self.claims for id, _ in claim.borrowed]
-        return lent + [id for step in self.steps for id in step.uses]
+    def uses(self) -> tuple[str, ...]:
+        """The ids of the theorems that it rests on: those that a step cites."""
+        return tuple(dict.fromkeys(id for step in self.steps for id in step.uses))
 
     @property
     def _named(self) -> tuple:
@@ -270,66 +267,3 @@ def all_theorems() -> Theorems:
     names = [module.name for module in pkgutil.iter_modules(importlib.import_module(package).__path__)]
     modules = [vars(importlib.import_module(f"{package}.{name}")) for name in names]
     return in_order([value for module in modules for value in module.values() if isinstance(value, Theorem)])
-
-
-def borrowed(claim: Claim, theorems: Theorems) -> Claim:
-    """Return the claim with its borrowed conclusions among its givens.
-
-    Raises ValueError unless the other claim's givens and lines are among this one's.
-    """
-    added: tuple = ()
-    for id, name in claim.borrowed:
-        others = theorems[id].claims if id in theorems else ()
-        other = next((other for other in others if other.name == name), None)
-        if other is None:
-            raise ValueError(f"it borrows from {id}/{name}, which is no claim")
-        if not isinstance(other, Claim) or not _supplies(other, claim, set(claim.given)):
-            raise ValueError(f"{claim.name}: the hypotheses of {id}/{name} are not all given here")
-        added += other.shows
-    return claim.but(given=claim.given + added) if added else claim
-
-
-def _supplies(other, claim, hypotheses):
-    """Return whether a claim may take another's conclusions, given some relations: its names mean the same there."""
-    mine = dict(claim.lines.definitions) if claim.lines else {}
-    _, program = other.names()
-    needed = dict(program.definitions) if program else {}
-    return set(other.given) <= hypotheses and needed.items() <= mine.items()
-
-
-def incomplete(theorem: Theorem, theorems: Theorems) -> list[str]:
-    """Return the faults of `uses`, and the hypotheses that could be borrowed instead.
-
-    `uses` may add theorems that conclude a claim's hypothesis, about the same names, and no others.
-    """
-    circular = [id for id in theorem.uses if id in theorems and _rests_on(id, theorem.id, theorems)]
-    if circular:
-        return [f"{theorem.id}: rests on itself, through {', '.join(circular)}"]
-    problems = []
-    for id in set(theorem.uses).difference(theorem.named):
-        if id not in theorems or not _concluding(theorem, theorems[id]):
-            problems.append(f"{theorem.id}: uses {id}, but no claim borrows from it; name it in the step that does")
-    for id, other in theorems.items():
-        if other.expected != "refuted" and not _rests_on(id, theorem.id, theorems):
-            for claim, conclusion, relations in _concluding(theorem, other):
-                others = set(claim.given) - relations
-                if _supplies(conclusion, claim, others) and (id, conclusion.name) not in claim.borrowed:
-                    text = ", ".join(sorted(map(str, relations)))
-                    problems.append(f"{theorem.id}/{claim.name}: borrow {text} from {id}/{conclusion.name}")
-    return problems
-
-
-def _concluding(theorem, other):
-    """Return [(claim, conclusion, relations)]: the hypotheses of a claim of `theorem` that `other` concludes."""
-    return [
-        (claim, conclusion, relations)
-        for claim in theorem.claims
-        for conclusion in other.claims
-        if isinstance(claim, Claim) and isinstance(conclusion, Claim)
-        if (relations := set(claim.given) & set(conclusion.shows))
-    ]
-
-
-def _rests_on(id, target, theorems):
-    """Return whether the theorem `id` is, or uses at however many removes, `target`."""
-    return id == target or any(_rests_on(use, target, theorems) for use in theorems[id].uses if use in theorems)

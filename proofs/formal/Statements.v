@@ -3407,6 +3407,7 @@ Definition normal_limits__small_beta : Prop :=
   g_z * g_z + g_x * g_x + g_y * g_y >= 0 /\
   (bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y - normal_y)
       * (bumped_y - normal_y) >= 0 /\
+  m_length >= 1 /\
   m_length * ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x - normal_x) * (bumped_x - normal_x) + (bumped_y
       - normal_y) * (bumped_y - normal_y)) = 2 * (m_length - 1) /\
   beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) - ((bumped_z - normal_z) * (bumped_z - normal_z) + (bumped_x -

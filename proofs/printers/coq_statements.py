@@ -5,9 +5,8 @@
 Coq divides by 0, takes the root of −1, and has some number for a derivative that does not exist. No claim is about such
 a value: divisors are not 0, radicands not negative, and derivatives exist. The kernel asks it by name, and here each
 such need stands before the conclusions (`StatementPrinter.needs`). Of a refuted theorem the negation is printed:
-hypotheses and needs hold somewhere, and the conclusion does not. Neither a cited lemma nor a borrowed conclusion is a
-hypothesis: Coq has to prove them. A Separation, about the names that a program reads and not about numbers, is the
-kernel's alone.
+hypotheses and needs hold somewhere, and the conclusion does not. A cited lemma is no hypothesis: Coq has to prove it. A
+Separation, about the names that a program reads and not about numbers, is the kernel's alone.
 """
 
 from collections.abc import Iterable

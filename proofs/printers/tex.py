@@ -78,8 +78,6 @@ class ClaimPrinter(LatexPrinter):
         _, program = claim.names()
         for symbol, line in program.definitions if program else ():
             yield Row("let", rf"{self.tex(symbol)} := {self.tex(line)}")
-        for id, name in claim.borrowed:
-            yield Row("from", rf"\text{{{id}: {name}}}".replace("_", r"\_"))
         for lemma in claim.cited:
             yield Row("cited", self.tex(lemma.relation))
 

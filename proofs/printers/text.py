@@ -58,7 +58,7 @@ _LETTERS = re.compile(r"[A-Za-z0-9_ .,+\-*/%^()<>=&|]*")
 _NUMBER = re.compile(r"(\d+(\.\d*)?|\.\d+)([eE][+-]?\d\d?)?")
 _SIGNS = str.maketrans({"π": "pi", "−": "-", "·": "*", "×": "*", "²": "**2", "³": "**3"})  # as people type them
 _PRODUCTS_OF_PI = re.compile(r"(?<=[\w)])\s*(?=π)|(?<=π)\s*(?=[\w(])")  # 2πu
-_HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)"
+_HINT = "write 2*u for 2u, 4*sin(u) for 4 sin(u), abs(u) for |u|, sin(u)**2, where(u < v, 1, 2)"
 _BROKEN = (SyntaxError, ValueError, TypeError, ArithmeticError, RecursionError, MemoryError)  # of SymPy too
 
 
@@ -66,11 +66,8 @@ class _Reader:
     """A reader of one text."""
 
     def __init__(self, text: str, names: Mapping[str, Symbol], calls: Mapping[str, Callable]):
-        self.text, self.names, self.calls = (
-            _PRODUCTS_OF_PI.sub("*", text).translate(_SIGNS),
-            {**names, "pi": pi, "E": S.Exp1},
-            {**_PLAIN, **calls},
-        )
+        self.text = _PRODUCTS_OF_PI.sub("*", text).translate(_SIGNS)
+        self.names, self.calls = {**names, "pi": pi, "E": S.Exp1}, {**_PLAIN, **calls}
         self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
 
     def refused(self, why: str) -> ValueError:

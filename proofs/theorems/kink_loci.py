@@ -75,9 +75,11 @@ theorem = Theorem(
         r"$\sin\varphi \ge 0$",
         r"$m$ whole: $\sin\pi m = 0$; no derivative: $k_u \ne 0$, $k_v \ne 0$",
     ),
-    uses="stable_frame",
     steps={
-        r"$t = 1 - (R/e)\cos\varphi > 0$": "the third coordinate of the ray; $e > R$ and $\\cos\\varphi \\le 1$",
+        r"$t = 1 - (R/e)\cos\varphi > 0$": (
+            r"the third coordinate of the ray; $e > R$ and $\cos\varphi \le 1$",
+            "stable_frame",
+        ),
         r"$(x, y) = \rho(\cos\theta, \sin\theta)$": "the other two, divided by $t$",
         r"$\sin\pi m = 0$": "the crease factors",
         "there ridges has no derivative, unless the other factor is 0": ("by its slopes", "ridges_on_creases"),

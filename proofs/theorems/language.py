@@ -1,8 +1,7 @@
 """The language of theorems, which a file of theorems imports whole: claims, relations, symbols, fields, numbers.
 
 Such a file is data: no registration, and no program. A claim is made of relations over the lines of a program of
-`proofs/`, never typed again; the conclusion of another theorem is borrowed. `oren_nayar.py` of
-tests/examples/light_model is short; `normal_limits.py` borrows.
+`proofs/`, never typed again. `oren_nayar.py` of tests/examples/light_model is short.
 
 Symbols are real and nothing more, `real("x y")`: a sign is a hypothesis in `given`, and that m is whole is sin πm = 0.
 

@@ -35,9 +35,8 @@ unit_length = Theorem(
     r"$N\cdot g = 0$, so $|M|^2 = 1 + \beta^2 |g|^2 \ge 1$ and $|N'| = 1$, for every $\beta$.",
     hypotheses=(r"$|N| = 1$", r"$g = h_u e_\theta + h_v e_\varphi$"),
     claims=(_tangent, _length),
-    uses="tangent_frame",
     steps={
-        r"$N\cdot g = 0$ and $|g|^2 = h_u^2 + h_v^2$": "the frame is orthonormal",
+        r"$N\cdot g = 0$ and $|g|^2 = h_u^2 + h_v^2$": ("the frame is orthonormal", "tangent_frame"),
         r"$|M|^2 = |N|^2 + 2\beta N\cdot g + \beta^2|g|^2 = 1 + \beta^2|g|^2$": "expansion",
         r"$|M|^2 \ge 1$": "the rest is a sum of squares",
     },

@@ -4,7 +4,6 @@ from proofs.formulas.bump import g, m_length, perturbed
 from proofs.theorems.language import *
 from proofs.theorems.normal import at, tangent
 
-_length = (("unit_length", "length"),)
 _g_squared, cosine = squared(g), dot(normal, bumped)
 _turned = cross(normal, bumped)
 _clear = {normal[:2]: ("-2/3", "2/3")}  # samples keep N_z off zero
@@ -15,7 +14,7 @@ _angle = Claim(
     (equation(m_length * cosine, 1), cosine > 0, equation(squared(_turned), beta**2 * _g_squared * cosine**2)),
     tangent,
     perturbed,
-    borrowed=_length,
+    squares=beta * g,
     ranges=_clear,
 )
 
@@ -30,7 +29,10 @@ angle = Theorem(
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
     steps={
         r"$N\cdot M = 1$, so $N\cdot N' = 1/|M|$": r"$|N| = 1$, $N\cdot g = 0$",
-        r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$": "Lagrange's identity, $|M|^2 = 1+\\beta^2|g|^2$",
+        r"$|N\times N'|^2 = 1-(N\cdot N')^2 = \beta^2|g|^2/|M|^2$": (
+            r"Lagrange's identity, $|M|^2 = 1+\beta^2|g|^2$",
+            "unit_length",
+        ),
         r"the tangent is $|\beta||g|$, the angle less than $\pi/2$": "the cosine is positive",
     },
     mutants=(
@@ -49,6 +51,7 @@ _moved = bumped - normal
 _small = Claim(
     "small_beta",
     (
+        m_length >= 1,
         equation(m_length * squared(_moved), 2 * (m_length - 1)),
         beta**2 * _g_squared - squared(_moved) >= 0,
         equation(w**2, beta**2 * _g_squared),
@@ -57,7 +60,7 @@ _small = Claim(
     ),
     (tangent, _w),
     perturbed,
-    borrowed=_length,
+    squares=beta * g,
     ranges=_clear,
 )
 _still = Claim("zero_beta", equations(bumped, normal), (tangent, zero(beta)), perturbed, ranges=_clear)
@@ -83,7 +86,7 @@ def _large(name, side):
         ),
         (tangent, side * beta > 0, _g_squared > 0, _w),
         perturbed,
-        borrowed=_length,
+        squares=beta * g,
         ranges=_clear,
     )
 
@@ -101,7 +104,7 @@ limits = Theorem(
     hypotheses=(r"$|N| = 1$", r"$N\cdot g = 0$"),
     steps={
         r"$|N'-N|^2 = 2-2/|M|$": "$N\\cdot N' = 1/|M|$",
-        r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$": r"$|M| \ge 1$",
+        r"$2-2/|M| \le |M|^2-1 = \beta^2|g|^2$": (r"$|M| \ge 1$", "unit_length"),
         r"$|N'\mp g/|g||^2 = 2(|M|-w)/|M| = 2/(|M|(|M|+w))$, $w = |\beta||g|$": r"$|M|^2-w^2 = 1$",
         r"it is at most $1/w^2$": r"$|M| \ge w$",
         "$M = N$ where $g = 0$ or $\\beta = 0$": r"$|N| = 1$",
@@ -133,8 +136,7 @@ _within = Claim(
     ),
     (tangent, _w, equation(squared(towards), 1), dot(normal, towards) > w),
     perturbed,
-    squares=cross(g, towards),
-    borrowed=_length,
+    squares=(cross(g, towards), beta * g),
     ranges=_clear,
 )
 _light = {towards: ("-3/5", 0, "4/5")}
@@ -148,7 +150,10 @@ shadow_line = Theorem(
     claims=_within,
     steps={
         r"$(g\cdot\omega)^2 \le |g|^2$": "Lagrange's identity",
-        r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$": "expansion",
+        r"$M\cdot\omega = N\cdot\omega + \beta g\cdot\omega \ge N\cdot\omega - |\beta||g| > 0$": (
+            "expansion; $|M| > 0$",
+            "unit_length",
+        ),
         "for the other side, the same with $-\\omega$": "nothing else changes",
     },
     mutants=(

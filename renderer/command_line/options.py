@@ -155,15 +155,11 @@ def scene_of(options: Namespace) -> Scene:
         raise not_allowed("field-parameter", parameters, "each name once")
     name = f"own_{hashlib.sha256(options.field_expression.encode()).hexdigest()[:6]}"
     try:
-        scene = replace(scene, **values, field=field_from_record({"name": name} | record))
+        return replace(scene, **values, field=field_from_record({"name": name} | record))
     except ValueError as error:  # in the words of Python, and by a name that nobody gave
         told = str(error).replace("seam=True", "--field-seam").replace(repr(name), "--field-expression")
         told = re.sub("^(field.)?parameters?", "field-parameter", told)
         raise ValueError(re.sub("^(expression|field = --field-expression)", "field-expression", told)) from None
-    unused = [name for name in record["parameters"] if not re.search(rf"\b{name}\b", options.field_expression)]
-    if unused:
-        raise not_allowed("field-parameter", unused, "names that the formula has")
-    return scene
 
 
 def size_of(options: Namespace, size: int) -> tuple[int, int]:

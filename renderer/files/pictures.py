@@ -8,12 +8,16 @@ import struct
 from collections.abc import Iterable
 from io import BytesIO
 from pathlib import Path
+from threading import Lock
 from typing import Any
 from zipfile import ZipFile, ZipInfo
 
 import numpy as np
 
 from renderer.checks import check_choice, extra, not_allowed
+from renderer.files.srgb import FEW, to_bytes
+from renderer.machines import machine, numpy_rows
+from renderer.operations import where
 from renderer.threads import run_bands
 from renderer.whole_files import whole_file, write_whole
 
@@ -26,33 +30,34 @@ TIFF, LINEAR = (".tif", ".tiff"), ("float32", "float64")
 PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
+BYTES = 64  # that are filtered together
 BAND = 2**19  # bytes that are filtered and deflated, or stored, at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
-STORED, QUICK, SEARCH, DEEP = ({"level": level} for level in (0, 3, 5, 7))
-LOOK, SAMPLE = 2**12, 2**15  # bytes of a band that are tried: a glance, and as far back as repeats are searched for
+QUICK, SEARCH, DEEP = ({"level": level} for level in (3, 5, 7))
+SAMPLE = 2**15  # bytes of a band that are tried: as far back as repeats are searched for
 FAIR = 0.87  # a slower way has to be shorter than this share of a quicker one
 
 
-def _filter(image, start, lines):
-    """Write rows of a picture as a PNG has them by Paeth's filter, which guesses a byte from three neighbours.
+def _paeth(left, up, corner, here):
+    """Return a byte less Paeth's guess: of its pixel's neighbours that which is nearest to left + up - corner."""
+    to_left, to_up, to_corner = abs(up - corner), abs(left - corner), abs(left + up - corner - corner)
+    guess = where((to_left <= to_up) & (to_left <= to_corner), left, where(to_up <= to_corner, up, corner))
+    return where(here < guess, here - guess + 256, here - guess)
 
-    They are its pixel's at the left, above, and above that at the left. The guess is that of the first two which is
-    farther from the third, or the third itself where it lies well between them.
-    """
+
+def _filter(image, start, lines):
+    """Write rows of a picture as a PNG has them by Paeth's filter. Above the first row, and before it, there are 0."""
     rows, channels, width = len(lines), image.shape[2], image.shape[1] * image.shape[2]
-    padded = np.zeros(channels + (rows + 1) * width, np.uint8)  # above the first row, and before it, there are zeros
-    image_rows = image[max(0, start - 1) : start + rows].reshape(-1)
-    padded[-image_rows.size :] = image_rows
-    left, up, corner = padded[width:-channels], padded[channels:-width], padded[: -width - channels]
-    high, low = np.maximum(left, up), np.minimum(left, up)
-    guess = np.minimum(np.maximum(corner, low), high)
-    rise, fall = np.subtract(high, guess, out=high), np.subtract(guess, low, out=low)
-    to_high, to_low = (rise >> 1 >= fall).view(np.uint8), (fall >> 1 >= rise).view(np.uint8)
-    rest = np.subtract(padded[channels + width :], guess, out=guess)
-    rest -= np.multiply(rise, to_high, out=to_high)
-    rest += np.multiply(fall, to_low, out=to_low)
-    lines[:, 0], lines[:, 1:] = PAETH, rest.reshape(rows, width)
-    of_first = padded[channels:].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
+    size = -(-rows * width // BYTES) * BYTES
+    padded = np.zeros(channels + width + size, np.uint8)
+    image_rows = image[max(0, start - 1) : start + rows]
+    image_rows = (image_rows if image.dtype == np.uint8 else to_bytes(image_rows, 1)).reshape(-1)
+    end = channels + (rows + 1) * width
+    padded[end - image_rows.size : end] = image_rows
+    parts = (padded[first : first + size] for first in (width, channels, 0, channels + width))
+    rest = (numpy_rows if size < FEW else machine()).over_bytes(_paeth, *parts)
+    lines[:, 0], lines[:, 1:] = PAETH, rest[: rows * width].reshape(rows, width)
+    of_first = padded[channels:end].reshape(rows + 1, width)[:, :channels]  # which have nothing at the left
     np.subtract(of_first[1:], of_first[:-1], out=lines[:, 1 : 1 + channels])
 
 
@@ -66,18 +71,12 @@ def _way(lines):
     """Return how a band is deflated, as a sample of it says.
 
     Paeth's filter leaves so little that runs alone are nearly as short as the result of a quick search, in less time.
-    Where it finds less, a longer search is worth its time. In noise any search takes long: a look at it is enough.
+    Where it finds less, a longer search is worth its time.
     """
-    middle = lines.size // 2
-    for size in (LOOK, SAMPLE):
-        sample = lines.reshape(-1)[middle : middle + size]
-        runs, search = (len(_deflate(sample, way)) / len(sample) for way in (RUNS, QUICK))
-        if runs > 0.5:  # noise
-            break
+    sample = lines.reshape(-1)[lines.size // 2 :][:SAMPLE]
+    runs, search = (len(_deflate(sample, way)) for way in (RUNS, QUICK))
     if search < runs / 4:
         return DEEP
-    if min(runs, search) > FAIR:
-        return STORED
     return RUNS if runs * FAIR < search else SEARCH
 
 
@@ -88,7 +87,7 @@ def _chunk(kind, data):
 def _parts(image, text, threads=None):
     """Return the bytes of a PNG, part by part."""
     height, width, channels = image.shape
-    rows = max(1, BAND // (width * channels))
+    rows = -(-height // max(1, round(height * width * channels / BAND)))
     lines = np.empty((height, 1 + width * channels), np.uint8)
 
     def band(part):
@@ -108,7 +107,8 @@ def _parts(image, text, threads=None):
 def png_of(image: np.ndarray, text: str = "", threads: int | None = None) -> bytes:
     """Return a uint8 picture, (height, width, 1, 3 or 4), as the bytes of an sRGB PNG, pixel for pixel.
 
-    text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes are the same.
+    One of float64 is linear light. text: ASCII that it carries under KEYWORD. threads: default, all cores; the bytes
+    are the same.
     """
     return b"".join(_parts(image, text, threads))
 
@@ -133,31 +133,48 @@ def _npy_header(kind, shape):
     return header.getvalue()
 
 
-def _store(zipped, info, array):
-    """Write an array into a zip by bands: what `ZipFile.open` writes is copied whole, and its sum takes long."""
-    file, header, rows = zipped.fp, _npy_header(array.dtype.str, array.shape), max(1, BAND // (array[:1].nbytes or 1))
-    info.file_size = info.compress_size = len(header) + array.nbytes
-    info.CRC, info.header_offset, info.external_attr = 0, file.tell(), 0o600 << 16
-    file.write(info.FileHeader())
-    for part in (header, *(array[start : start + rows] for start in range(0, len(array), rows))):
-        data = part if part is header else np.ascontiguousarray(part).data
-        file.write(data)
-        info.CRC = zlib.crc32(data, info.CRC)
-    zipped.start_dir = file.tell()
-    file.seek(info.header_offset)
-    file.write(info.FileHeader())
-    file.seek(zipped.start_dir)
-    zipped.filelist.append(info)
+def _in_order(part):
+    """Return an array's numbers row by row, copied a channel at a time: NumPy alone goes pixel by pixel."""
+    if part.ndim < 3:
+        return np.ascontiguousarray(part)
+    numbers = np.empty(part.shape, part.dtype)
+    for channel in range(part.shape[2]):
+        numbers[..., channel] = part[..., channel]
+    return numbers
+
+
+def _store(path, alone, info, header, array):
+    """Write an array to its place in a zip by bands: `ZipFile.open` would copy it whole, and its sum takes long."""
+    rows = max(1, BAND // (array[:1].nbytes or 1))
+    with open(path, "r+b") as file:
+        file.seek(info.header_offset + len(info.FileHeader()))
+        file.write(header)
+        info.CRC = zlib.crc32(header)
+        for start in range(0, len(array), rows):
+            data = _in_order(array[start : start + rows]).data
+            with alone:  # threads that write to one file at once would wait in the system, at work
+                file.write(data)
+            info.CRC = zlib.crc32(data, info.CRC)
+        file.seek(info.header_offset)
+        file.write(info.FileHeader())
 
 
 def write_npz(path: str | Path, arrays: dict[str, Any], **texts: str) -> None:
     """Write arrays by their names, and texts that say anything as `NAME.json`; the file appears whole or not at all.
 
-    They are stored: packed, they would take a hundred times as long as a picture takes to draw.
+    They are stored, side by side: packed, they would take a hundred times as long as a picture takes to draw.
     """
+    members, alone = [], Lock()
     with whole_file(path) as name, ZipFile(name, "w") as zipped:
         for member, array in arrays.items():
-            _store(zipped, ZipInfo(f"{member}.npy"), np.asarray(array))
+            info, header = ZipInfo(f"{member}.npy"), _npy_header(array.dtype.str, array.shape)
+            members.append((info, header, array))
+            info.file_size = info.compress_size = len(header) + array.nbytes
+            info.CRC, info.header_offset, info.external_attr = 0, zipped.start_dir, 0o600 << 16
+            zipped.start_dir += len(info.FileHeader()) + info.file_size
+            zipped.filelist.append(info)
+
+        run_bands(lambda part: _store(name, alone, *members[part.start]), len(members), 1, None)
         for member in filter(texts.get, texts):
             zipped.writestr(f"{member}.json", texts[member])
 
@@ -175,7 +192,7 @@ def write_npy(path: str | Path, shape: tuple[int, int], parts: Iterable[np.ndarr
         with open(name, "wb") as file:
             file.write(_npy_header("<f8", (rows, columns, 3)))
             for part in parts:
-                file.write(np.ascontiguousarray(part, "<f8").data)
+                file.write(_in_order(part).astype("<f8", copy=False).data)
 
 
 def write_tiff(path: str | Path, image: np.ndarray) -> None:

@@ -5,12 +5,12 @@ from functools import cache
 
 import numpy as np
 
+from renderer.machines import machine, numpy_rows
 from renderer.threads import run_bands
 
-CELLS = 2**16  # equal parts of [0, 1], a half at either end: so small that at most one byte begins inside
-ROUND = 1.5 * 2**36  # x + ROUND holds the nearest whole number to x · CELLS in its lowest bits
-BEGINS = 256  # is added to the byte of a cell in which the next one begins
-AT_ONCE = 2**19  # numbers: with fewer, threads wait for each other's Python; with many more, for the memory
+CELLS = 2**12  # equal parts of [0, 1]: so small that at most one byte begins inside
+AT_ONCE = 2**17  # numbers: with fewer, threads wait for each other's Python
+FEW = 2**16  # for which compiling takes longer
 
 
 def thresholds(level_of: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
@@ -31,37 +31,21 @@ def _level(linear):
 
 @cache
 def tables() -> tuple[np.ndarray, np.ndarray]:
-    """Return (the least float64 of each byte from 1 to 255; each cell's byte, uint16, + BEGINS where one begins)."""
-    begins = thresholds(_level)
-    low, high = (begins.searchsorted((np.arange(CELLS + 1) + end) / CELLS, "right") for end in (-0.5, 0.5))
-    return begins, np.where(low == high, low, low + BEGINS).astype(np.uint16)
-
-
-def _encode(channels, into):
-    """Write the bytes of some arrays of numbers, (channels, …), into others."""
-    begins, of_cell = tables()
-    cell, level = np.empty(channels.shape[1:]), np.empty(channels.shape[1:], np.uint16)
-    number, first = cell.view(np.int64), np.float64(ROUND).view(np.int64)
-    for linear, encoded in zip(channels, into, strict=True):
-        np.subtract(np.add(linear, ROUND, out=cell).view(np.int64), first, out=number)
-        if number.view(np.uint64).max() > CELLS:
-            np.clip(number, 0, CELLS, out=number)
-        of_cell.take(number, out=level, mode="wrap")  # no number is outside, and this is the fastest
-        unsure = np.flatnonzero(level >= BEGINS)
-        below = level.flat[unsure] - BEGINS  # the byte where the cell begins
-        level.flat[unsure] = below + (linear.flat[unsure] >= begins[below])
-        encoded[...] = level
+    """Return (the least float64 of each byte from 1 to 255, and NaN; the byte at which each cell begins, uint8)."""
+    begins = np.append(thresholds(_level), np.nan)
+    return begins, begins.searchsorted(np.arange(CELLS + 1) / CELLS, "right").astype(np.uint8)
 
 
 def to_bytes(rgb: np.ndarray, threads: int | None = None) -> np.ndarray:
     """Return linear light, (…, 3) in [0, 1], as sRGB bytes, uint8, clipped. threads: at most as many."""
     rgb = np.asarray(rgb, dtype=np.float64)
     encoded = np.empty(rgb.shape, np.uint8)
-    linear, into = (one if one.ndim > 1 else one.reshape(-1, 1) for one in (rgb, encoded))
-    rows = max(1, AT_ONCE * len(linear) // max(1, linear.size))
+    linear, into = (one if one.ndim == 3 else one.reshape(-1, 1, one.shape[-1]) for one in (rgb, encoded))
+    write_levels = (numpy_rows if rgb.size < FEW else machine()).write_levels
 
-    def band(part):
-        _encode(np.moveaxis(linear[part], -1, 0), np.moveaxis(into[part], -1, 0))
+    def band(rows):
+        for channel in range(linear.shape[-1]):
+            write_levels(linear[rows, :, channel], *tables(), into[rows, :, channel])
 
-    run_bands(band, len(linear), rows, threads)
+    run_bands(band, len(linear), max(1, AT_ONCE * len(linear) // max(1, linear.size)), threads)
     return encoded

@@ -57,6 +57,10 @@ class HeightField(height_fields.HeightField):
         else:
             wall = "heights in an array have no formula, and what that costs is told on the page Two frontiers, priced"
             raise self._refused(f"an expression of SymPy, or its text; {wall}")
+        has = sorted(each.name for each in self.form.free_symbols - set(NAMES.values()))
+        for each in parameters:
+            if each not in has:
+                raise not_allowed("parameter", each, f"one that the formula has: {', '.join(has) or 'none'}")
         put(self, expression=self.of_numbers(self.form))
         try:
             super().__post_init__()

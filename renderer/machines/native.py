@@ -5,8 +5,9 @@
 
 import ctypes
 import hashlib
+from array import array
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -16,13 +17,16 @@ import llvmlite.ir as ir
 import numpy as np
 from llvmlite.binding import create_pass_builder, create_pipeline_tuning_options  # since 0.44
 
-from renderer.machines import Job, compiling, kept_code
+from renderer.machines import Job, compiling, kept_code, numpy_rows
 from renderer.machines.drawing_code import arguments, emit
-from renderer.machines.points_code import emit_points
-from renderer.machines.traced import FLOAT
+from renderer.machines.points_code import emit_levels, emit_points
+from renderer.machines.traced import BYTE, FLOAT
+from renderer.threads import run_bands
 
 NAME = "llvm"
 POINTS = 8  # go through a kernel's code at a time
+BYTES = 16
+GROUPS = 2**12  # of them, on a thread
 
 
 @cache
@@ -77,11 +81,11 @@ def _object_code(text, target):
     return code
 
 
-def machine_code(emit_into: Callable, *arguments: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
-    """Return (the function of one address that emit_into(module, name, *arguments) emits; the owner of its memory)."""
+def machine_code(emit_into: Callable, *given: Any, **named: Any) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
+    """Return (the function of one address that emit_into(module, name, …) emits; the owner of its memory)."""
     module, target, name = ir.Module(), _target(), "code"
     module.triple = llvm.get_process_triple()
-    emit_into(module, name, *arguments)
+    emit_into(module, name, *given, **named)
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target)
     engine.add_object_file(llvm.ObjectFileRef.from_data(_object_code(str(module), target)))
     engine.finalize_object()
@@ -101,21 +105,57 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     with compiling:
         code, outputs, _ = _points_code(kernel, tuple(n for n, each in enumerate(inputs) if np.size(each) == 1))
     given, points = [np.ascontiguousarray(each) for each in inputs], np.broadcast(*inputs).size
-    results, rest = np.empty((outputs, points)), points % POINTS
-    tail = np.zeros((len(given) + outputs, POINTS))  # the last points, as many as go through the code
-    for row, each in zip(tail, given, strict=False):
-        row[:rest] = each[len(each) - min(rest, len(each)) :]
-    for arrays, count in (([*given, *results], points - rest), (tail, rest)):
-        arguments = (ctypes.c_int64 * (1 + len(arrays)))(count, *(array.ctypes.data for array in arrays))
-        code(ctypes.addressof(arguments))
-    results[:, points - rest :] = tail[len(given) :, :rest]
+    results, together = np.empty((outputs, points)), points - points % POINTS
+    places = [(each.ctypes.data, each.itemsize * (each.size > 1)) for each in (*given, *results)]
+
+    def part(band):
+        first, end = (POINTS * group for group in (band.start, band.stop))
+        arguments = array("q", [end - first, *(place + step * first for place, step in places)])
+        code(arguments.buffer_info()[0])
+
+    run_bands(part, together // POINTS, GROUPS, None)
+    if together < points:
+        rest = (each[together:] if each.size > 1 else each for each in given)
+        results[:, together:] = numpy_rows.over_points(kernel, *rest)
     return [*results]
+
+
+_levels_code = cache(partial(machine_code, emit_levels))
+
+
+def write_levels(numbers: np.ndarray, begins: np.ndarray, level_at: np.ndarray, levels: np.ndarray) -> None:
+    """Write the levels of numbers, (rows, columns), as `numpy_rows.write_levels` does."""
+    with compiling:
+        code, _ = _levels_code(len(level_at) - 1)
+    places = (each.ctypes.data for each in (numbers, levels, begins, level_at))
+    arguments = array("q", [*places, *numbers.shape, *numbers.strides, *levels.strides])
+    code(arguments.buffer_info()[0])
+
+
+_bytes_code = cache(partial(machine_code, emit_points, lanes=BYTES, number=ir.FloatType(), kind=BYTE))
+
+
+def over_bytes(kernel: Callable, *inputs: np.ndarray) -> np.ndarray:
+    """Return what a kernel gives of bytes, as bytes; inputs: contiguous, a multiple of BYTES long."""
+    with compiling:
+        code, _ = _bytes_code(kernel)
+    result = np.empty_like(inputs[0])
+    arguments = array("q", [len(result), *(each.ctypes.data for each in (*inputs, result))])
+    code(arguments.buffer_info()[0])
+    return result
 
 
 @cache
 def compiled(want: Any, lanes: int) -> tuple[Callable[[int], None], llvm.ExecutionEngine]:
     """Return (the function that draws a want, of the address of its arguments; the owner of its memory)."""
     return machine_code(emit, want, lanes)
+
+
+@cache
+def _layout(want):
+    """Return ({name of an argument: its place}, counts of nothing)."""
+    names = arguments(want.shader.planes)
+    return {name: place for place, name in enumerate(names)}, array("q", [0] * len(want.shader.counted))
 
 
 def drawer(
@@ -128,17 +168,19 @@ def drawer(
     if code is None:
         with compiling:
             code, _ = compiled(want, lanes or host_lanes(want))
-    addresses = {name: array.__array_interface__["data"][0] for name, array in job.items()}  # sooner than by `ctypes`
-    addresses |= {"pitch": len(job["x"]), "light_count": len(job["lights"])}
-    names, kinds = arguments(want.shader.planes), len(want.shader.counted)
-    shared = [addresses.get(name, 0) for name in names]
-    first, last, counts = (names.index(name) for name in ("first_row", "last_row", "counts"))
+    places, counted = _layout(want)
+    shared = array("q", bytes(8 * len(places)))
+    shared[places["pitch"]], shared[places["light_count"]] = len(job["x"]), len(job["lights"])
+    for name, memory in job.items():
+        if memory.size:
+            shared[places[name]] = ctypes.addressof(ctypes.c_char.from_buffer(memory))  # type: ignore[arg-type]
+    first, last, counts = (places[name] for name in ("first_row", "last_row", "counts"))
 
     def draw(rows):
-        arguments, counted = (ctypes.c_int64 * len(shared))(*shared), (ctypes.c_int64 * kinds)()
-        arguments[first], arguments[last], arguments[counts] = rows.start, rows.stop, ctypes.addressof(counted)
-        code(ctypes.addressof(arguments))
-        return list(counted)
+        arguments, counts_here = shared[:], counted[:]
+        arguments[first], arguments[last], arguments[counts] = rows.start, rows.stop, counts_here.buffer_info()[0]
+        code(arguments.buffer_info()[0])
+        return counts_here.tolist()
 
     draw.alive = job  # type: ignore[attr-defined]  # whose addresses it has
     return draw

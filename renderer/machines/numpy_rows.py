@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 
 from renderer.machines import Job
-from renderer.machines.enclosing_machine import enclosed_group
 from renderer.machines.forms import Shader, Step, of_form
 from renderer.operations import Mask, Number
 
@@ -94,6 +93,8 @@ def drawer(want: Any, job: Job) -> Callable[[slice], list[int]]:
         machine, block = Rows(shader, job["lights"]), Block(job, rows)
         group = shader.group(machine, scene, want, block)
         if want.bounds:
+            from renderer.machines.enclosing_machine import enclosed_group  # what most pictures never need to import
+
             of_pixels = job["x_bound"][block.columns], job["y_bound"][block.rows, None]
             group = enclosed_group(group, of_form(shader.scene, job["scene_bounds"]), *of_pixels)
         shader.around(group).draw()
@@ -107,3 +108,18 @@ def over_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     """Return what a kernel gives at each point, an array for each output; inputs: arrays (points,), or one number."""
     result, points = kernel(*inputs), np.broadcast(*inputs).size
     return [np.broadcast_to(each, points) for each in (result if isinstance(result, tuple) else (result,))]
+
+
+def write_levels(numbers: np.ndarray, begins: np.ndarray, level_at: np.ndarray, levels: np.ndarray) -> None:
+    """Write the levels of numbers: in cells, equal parts of [0, 1], which have `level_at` where they begin.
+
+    A level, from 1 on, holds from a number on, of `begins`; of no cell two begin inside.
+    """
+    inside = np.fmin(np.fmax(numbers, 0.0), 1.0)  # NaN is 0
+    level = level_at[(inside * (len(level_at) - 1)).astype(np.intp)]
+    levels[...] = level + (numbers >= begins[level])
+
+
+def over_bytes(kernel: Callable, *inputs: np.ndarray) -> np.ndarray:
+    """Return what a kernel gives of bytes, as bytes."""
+    return kernel(*(each.astype(np.int16) for each in inputs)).astype(np.uint8)

@@ -1,7 +1,7 @@
 """`render`, the way from a scene to a picture: from nothing, sphere A alone on a stage, or a mean of samples."""
 
 from collections.abc import Iterable
-from functools import reduce
+from functools import lru_cache, reduce
 from typing import Any
 
 import numpy as np
@@ -36,6 +36,13 @@ def stage_of(scene: Scene, width: int, height: int, crop: Crop | None = None, th
     stage = Stage(shot)
     stage.draw(shot, checked_threads(threads), {}, colors=False)
     return stage
+
+
+def _shot(scene, gradient, width, height, crop, samples):
+    return Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop), samples)
+
+
+_same_shot = lru_cache(maxsize=64, typed=True)(_shot)
 
 
 def render(
@@ -74,24 +81,30 @@ def render(
     >>> bool(abs(smooth.rgb - fine.rgb.reshape(16, 2, 16, 2, 3).mean(axis=(1, 3))).max() < 1e-15)
     True
     """
-    shot = Shot(scene, EXACT if gradient is None else gradient, Raster(width, height, crop), samples)
-    bounds, threads = check_truth("bounds", bounds), checked_threads(threads)
-    changes: dict[str, Any] = {"by": ()}
+    described = scene, gradient, width, height, crop, samples
+    try:
+        shot = (_shot if crop else _same_shot)(*described)
+    except TypeError:  # something that has no hash
+        shot = _shot(*described)
+    by, bounds, threads = (), check_truth("bounds", bounds), checked_threads(threads)
+    changes: dict[str, Any] = {"bounds": True} if bounds else {}
     if not isinstance(derivatives, tuple) or derivatives:
         with compiling:
             from renderer.shader.slopes import asked  # what most pictures never need to import
 
-        shot, changes = asked(shot, derivatives)
-    by = changes["by"]
+        shot, slopes = asked(shot, derivatives)
+        by, changes = slopes["by"], changes | slopes
     if shot.samples > 1:
         if stage is not None or into is not None:
             raise not_allowed("samples", samples, "1 beside a stage or an earlier frame")
         return _sampled(shot, by, bounds, threads)
     if stage is not None and not (isinstance(stage, Stage) and stage.serves(shot)):
         raise not_allowed("stage", stage, "one made for the same lengths, lights and raster")
-    shading = shot.shading, shot.samples
-    fits = isinstance(into, Frame) and stage is into.stage and shading == (into.shot.shading, into.shot.samples)
-    if into is not None and not fits:
+    if into is not None and not (
+        isinstance(into, Frame)
+        and stage is into.stage
+        and (shot.shading, shot.samples) == (into.shot.shading, into.shot.samples)
+    ):
         raise not_allowed("into", into, "a frame of the stage that is given, shaded as this scene is, without samples")
     complete = bounds or stage is None or not set(by) <= set(MOVE_NO_BOUNDARY)
     stage = Stage(shot) if stage is None else stage
@@ -109,22 +122,23 @@ def render(
         if not complete:
             moving[...] = 0.0  # off A
     if complete:
-        counts = stage.draw(shot, threads, named, bounds=bounds, **changes)
+        counts = stage.draw(shot, threads, named, **changes)
     else:
         counts = _draw_on(stage, shot, threads, named, None if into else planes, changes)
-    return Frame(shot, stage, planes, dict(zip(WORK, counts.tolist(), strict=True)), enclosure, by, parts)
+    return Frame(shot, stage, planes, dict(zip(WORK, counts, strict=True)), enclosure, by, parts)
 
 
 def _draw_on(stage, shot, threads, named, fresh, changes):
     """Draw sphere A, and into planes that are fresh copy the rest from the stage first; return the counts."""
-    copy, counts = None, 0
+    copy, counts = None, [0] * len(WORK)
     if fresh is not None:
         rest, counts = stage.elsewhere(shot, threads)
 
         def copy(rows):
             fresh[:, rows] = rest[:, rows]
 
-    return counts + stage.draw(shot, threads, named, copy, chambers_known=True, surfaces="a", **changes)
+    on_a = stage.draw(shot, threads, named, copy, chambers_known=True, surfaces="a", **changes)
+    return map(sum, zip(counts, on_a, strict=True))
 
 
 def _sampled(shot, by, bounds, threads):

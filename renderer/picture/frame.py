@@ -21,6 +21,7 @@ from renderer.scene.raster import Raster
 from renderer.scene.scene import Scene
 from renderer.shader.numbers import Shot, read_only
 from renderer.shader.shader import ON_A, slopes_of_bump
+from renderer.threads import run_bands
 from renderer.whole_files import checked_target
 
 BOUNDARIES = ("eye", "radius", "ball_center", "ball_radius")
@@ -155,7 +156,7 @@ class Frame:
 
     def to_png(self) -> bytes:
         """Return the PNG that `save` writes."""
-        return pictures.png_of(self.srgb, self._record())
+        return pictures.png_of(self.rgb, self._record())
 
     _repr_png_ = to_png  # which a notebook shows
 
@@ -178,7 +179,7 @@ class Frame:
         pictures.check_linear(linear, path)
         match path.suffix.lower():
             case ".png":
-                pictures.write_png(path, self.srgb, self._record())
+                pictures.write_png(path, self.rgb, self._record())
             case ".npz":
                 arrays = {"rgb": self.rgb, "chambers": self.chambers, **self.data_on_a, **self.slope_arrays()}
                 pictures.write_npz(path, arrays, record=self._record())
@@ -283,11 +284,15 @@ class Frame:
         planes = self.stage.new_plane(channels=len(ON_A))
         named = dict(zip(ON_A, planes, strict=True))
         want: Any = {"ways": ((self.scene.field, self.shot.way),), "colors": False, "stored": ON_A}
-        self.stage.draw(self.shot, 1, named, chambers_known=True, surfaces="a", **want)
+        self.stage.draw(self.shot, None, named, chambers_known=True, surfaces="a", **want)
         places = np.flatnonzero(self.stage.on_a)
         on_a = np.empty((len(ON_A), len(places)))
-        for plane, into in zip(planes[..., : self.raster.shape[1]], on_a, strict=True):
-            plane.ravel().take(places, out=into, mode="wrap")  # without a copy, which "raise" makes
+
+        def gather(part):
+            plane = planes[part.start, :, : self.raster.shape[1]].ravel()
+            plane.take(places, out=on_a[part.start], mode="wrap")  # without a copy, which "raise" makes
+
+        run_bands(gather, len(ON_A), 1, None)
         read_only(on_a)
         return on_a
 

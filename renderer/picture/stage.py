@@ -15,7 +15,7 @@ import numpy as np
 from renderer.checks import not_allowed
 from renderer.machines import Job, compiling, machine
 from renderer.shader.numbers import Shot, numbers_of, reach_of_a, read_only
-from renderer.shader.shader import COLORS
+from renderer.shader.shader import COLORS, WORK
 from renderer.threads import run_bands
 
 SURFACE_BITS = 3
@@ -75,7 +75,6 @@ def _prepared(geometry, raster):
     square = reach_of_a(geometry.eye, geometry.radius) * (1 + 1e-9) - y * y
     half = np.where(square < 0.0, -np.inf, np.sqrt(np.maximum(square, 0.0)))
     of_a = np.stack([x.searchsorted(-half), x.searchsorted(half, "right")], axis=1).astype(np.int64)
-    read_only(wide, y, everywhere, of_a)
     return wide, y, everywhere, of_a
 
 
@@ -98,11 +97,10 @@ class Stage:
         rows, columns = self.raster.shape
         if rows * columns > MAX_DRAWN:
             raise not_allowed("width * height", rows * columns, f"at most {MAX_DRAWN} drawn pixels")
-        self._x, self.y, self._everywhere, self._columns_of_a = _prepared(self.geometry, self.raster)
-        self.x = self._x[:columns]
+        self._x, self._y, self._everywhere, self._columns_of_a = _prepared(self.geometry, self.raster)
         self._codes = self.new_plane(np.uint8)
-        self.chambers = self._codes[:, :columns]
-        read_only(self.chambers)
+        self.x, self.y, self.chambers = self._x[:columns], self._y[:], self._codes[:, :columns]
+        read_only(self.x, self.y, self.chambers)
         self._elsewhere: tuple[Any, Any] = (None, None)
 
     def __repr__(self) -> str:
@@ -110,24 +108,29 @@ class Stage:
 
     def new_plane(self, kind: type = np.float64, channels: int | None = None) -> np.ndarray:
         """Return memory for a plane, or for several of float64, with rows as long as whole groups."""
-        shape = (len(self.y), len(self._x))
+        shape = len(self._y), len(self._x)
         return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
     def job(self, shot: Shot, planes: Job, of_a: bool = False) -> Job:
         """Return the Job of a drawing (`renderer.machines`): all columns, or those of each row that A may be in."""
         numbers, lights = numbers_of(shot)
-        raster_data = {"x": self._x, "y": self.y, "columns": self._columns_of_a if of_a else self._everywhere}
+        raster_data = {"x": self._x, "y": self._y, "columns": self._columns_of_a if of_a else self._everywhere}
         return raster_data | {"scene": numbers, "lights": lights, "code": self._codes} | planes
 
     def draw(
-        self, shot: Shot, threads: int, planes: Job, before: Callable[[slice], None] | None = None, **changes: Any
-    ) -> np.ndarray:
+        self,
+        shot: Shot,
+        threads: int | None,
+        planes: Job,
+        before: Callable[[slice], None] | None = None,
+        **changes: Any,
+    ) -> list[int]:
         """Draw a shot's want (`renderer.shader.numbers.Want`), with some changes, into planes, by bands.
 
         Return the counts, in the order of WORK. before: a function that is called with the rows of a band (a slice)
         before that is drawn.
         """
-        want = shot.want._replace(**changes)
+        want = shot.want._replace(**changes) if changes else shot.want
         job = self.job(shot, planes, of_a=want.surfaces == "a")
         if want.bounds:
             with compiling:
@@ -142,12 +145,12 @@ class Stage:
             return draw_rows(band)
 
         counts = run_bands(draw_band, len(self.y), band_rows(*self.chambers.shape), threads)
-        return np.array(counts).sum(axis=0)  # np.sum of a list takes three times as long
+        return [*map(sum, zip(*counts, strict=True))]
 
-    def elsewhere(self, shot: Shot, threads: int) -> tuple[np.ndarray, np.ndarray | int]:
+    def elsewhere(self, shot: Shot, threads: int) -> tuple[np.ndarray, list[int]]:
         """Return (the colours off A, undefined on A; the counts): drawn when a shading first needs them."""
         if self._elsewhere[0] == shot.shading:
-            return self._elsewhere[1], 0
+            return self._elsewhere[1], [0] * len(WORK)
         rgb = self.new_plane(channels=3)
         planes = dict(zip(COLORS, rgb, strict=True))
         counts = self.draw(shot, threads, planes, chambers_known=True, surfaces="elsewhere")

@@ -240,6 +240,4 @@ def numbers_of(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
         for number, light in enumerate(shot.scene.lights)
         if light.color is not None
     ]
-    numbers = np.array(flat(scene_numbers(shot))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
-    read_only(*numbers)
-    return numbers
+    return np.array(flat(scene_numbers(shot))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))

@@ -10,7 +10,7 @@ from renderer.machines import Job
 from renderer.machines.enclosing import SLACK, UNIT, Enclosed, enclosed
 from renderer.machines.forms import flat, of_form
 from renderer.operations import Number, where
-from renderer.shader.numbers import Shot, read_only, scene_numbers
+from renderer.shader.numbers import Shot, scene_numbers
 
 
 def _lengths(scene):
@@ -62,5 +62,4 @@ def input_bounds(shot: Shot, wide: int) -> Job:
     of_x, of_y = of_image_points(shot)
     of_numbers = np.array(flat(of_scene(shot)))
     bounds = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}
-    read_only(*bounds.values())
     return bounds

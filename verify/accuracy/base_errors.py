@@ -119,7 +119,7 @@ def errors_around() -> tuple[float, float]:
 
 
 @cache
-def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
+def base_errors(least: float) -> tuple[float, float]:
     """Return by how much the bases, of u and of v, are off at most where 1 − (ρ/ρ_s)² ≥ `least`."""
     (of_u, of_rho), half = errors_around(), BOXES[0] // 2 + 1
     ratios = np.concatenate([np.geomspace(RATIOS[0], 0.5, half), 1 - np.geomspace(0.5, 1 - RATIOS[1], half)[1:]])
@@ -130,7 +130,7 @@ def base_errors(least: float = LEAST_SQUARE) -> tuple[float, float]:
     return of_u, _largest(*_errors((cos_phi, sin_phi), (rho,), at, closer))
 
 
-def gradient_pieces(least: float = LEAST_SQUARE) -> list[tuple[arb, arb, Fraction]]:
+def gradient_pieces(least: float) -> list[tuple[arb, arb, Fraction]]:
     """Return the one piece of all ratios of radius to distance: what `gradient_bound` says of it."""
     first, last = RATIOS
     return [(arb(first), arb(last), gradient_bound(*base_errors(least)))]

@@ -53,7 +53,7 @@ def _split(field, method):
     return difference, difference.keep(*arguments), lines(difference, arguments, difference.outputs)
 
 
-def taken_apart(field: str, inputs: Inputs, steps: ArrayLike, method: str = "central") -> dict[str, np.ndarray]:
+def taken_apart(field: str, inputs: Inputs, steps: ArrayLike, method: str) -> dict[str, np.ndarray]:
     """Return {component: the signed errors of PARTS} over arrays of points or of steps. inputs: u, v, k_u, k_v."""
     at, (difference, where, quotient) = {**inputs, "epsilon": steps}, _split(field, method)
     slope, exact, computed = (
@@ -73,10 +73,10 @@ def parts(case: Case, steps: ArrayLike = STEPS) -> Curves:
 
 
 @np.errstate(all="ignore")
-def bounds(case: Case, steps: ArrayLike = STEPS) -> Curves:
-    """Return {part: upper bounds of its size} over the steps, for a field that the theorems cover."""
+def bounds(case: Case) -> Curves:
+    """Return {part: upper bounds of its size} over STEPS, for a field that the theorems cover."""
     terms = slope_terms(HEIGHT_FIELDS[case.field], case.method)
-    both = terms(case.u, case.v, case.k_u, case.k_v, np.asarray(steps, np.float64))
+    both = terms(case.u, case.v, case.k_u, case.k_v, STEPS)
     truncation, *rounding, straddling, one_sided = both[SLOPES.index(case.component)]
     exact = truncation + straddling + one_sided
     return dict(zip(PARTS, (exact, *rounding, exact + sum(rounding)), strict=True))

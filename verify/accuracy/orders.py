@@ -1,6 +1,6 @@
-"""Orders of the difference's error in the step where it is not smooth: over creases, and clamped at the pole.
+"""Orders of an error in the step: fitted, enclosed, and that of the difference of ridges over the chart.
 
-Over the chart the RMS error of ridges follows theorem crease_error_area. It is smooth between the creases and the
+The RMS error of ridges follows theorem crease_error_area. It is smooth between the creases and the
 points ε away from one, so Gauss–Legendre nodes go there: random points would miss the bands below ε ≈ 6e-5.
 """
 
@@ -8,25 +8,15 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
-from sympy import Abs, diff
 
-from proofs.engine.half_turns import cospi, ordinary
 from proofs.formulas import step_bounds
-from proofs.formulas.finite_difference import central as central_difference
-from proofs.formulas.height_fields import HEIGHT_FIELDS, HeightField, gradient
-from proofs.formulas.symbols import k_u, k_v, u, v
 from renderer import Scene, central, exact, gradient_at
 from renderer.generate.kernels import function_of
 from renderer.intervals import Interval
 from verify.accuracy.differences import SLOPES
-from verify.evaluate.arrays import distance, in_balls
 
 NODES = 20
 SCENE = Scene()  # ridges, k_u = 8, k_v = 4
-CLAMPED = (*HEIGHT_FIELDS.values(), HeightField("cosine", cospi(k_v * v)))
-FIELDS = {field.name: field for field in CLAMPED if field.expression.has(v)}
-"""Fields that are clamped at the pole: those that depend on v, and one that is not odd about v = 0."""
-STEPS = np.logspace(-6, -3, 13)
 _crease_rms = function_of(step_bounds.crease_rms)
 
 
@@ -75,19 +65,3 @@ def quadrature(component: str, step: float) -> float:
     (u_at, u_weights), (v_at, v_weights) = _panels(SCENE.ku, step * in_u), _panels(SCENE.kv, step * (not in_u))
     error = _errors(SCENE, component, step, np.meshgrid(u_at, v_at, indexing="ij"))
     return float(np.sqrt(u_weights @ error**2 @ v_weights))
-
-
-def clamped_errors(field: str) -> np.ndarray:
-    """Return |D − h_v| at v = ε/2 for each of STEPS, in exact arithmetic: k = (8, 4), u = 0.31."""
-    at = {"u": 0.31, "v": STEPS / 2, "k_u": 8.0, "k_v": 4.0, "epsilon": STEPS}
-    programs = central_difference(FIELDS[field]), gradient(FIELDS[field])
-    return distance(*(in_balls(program, at)["h_v"] for program in programs))
-
-
-def clamped_order(field: str) -> int:
-    """Return the order that Taylor's theorem gives: that of the first derivative at v = 0, from the second, not 0, − 1.
-
-    The absolute value of a product is one there, up to its sign: only the product's own derivatives are asked for.
-    """
-    smooth = ordinary(FIELDS[field].expression.replace(Abs, lambda inside: inside)).xreplace({u: 0.31, k_u: 8, k_v: 4})
-    return next(n - 1 for n in range(2, 9) if abs(diff(smooth, v, n).subs(v, 0).evalf()) > 1e-9)

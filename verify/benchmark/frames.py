@@ -1,4 +1,4 @@
-"""Whole frames that are timed: every renderer, sizes from 64² on, one thread and two, and steps of a sweep.
+"""Whole frames that are timed: every renderer, ours of sizes from 64² on, one thread and two, and steps of a sweep.
 
 A case's name is renderer_side_threads. No frame is kept: two of 8192² at once would not fit everywhere.
 """
@@ -26,10 +26,8 @@ SCENE = Scene()
 A_ALONE = Scene(ball=False, floor=False)
 EPS = 1e-3
 THREADS = (1, 2)
-METHODS = {"algebraic": exact("algebraic"), "general": exact("general"), "central": central(EPS)}
+METHODS = {"algebraic": exact("algebraic"), "central": central(EPS)}
 FITTED = (256, 512, 1024, 2048, 4096, 8192)
-SIDES = {"seed_exact": (64, 128, 256), "seed_central": (64, 128, 256), "numpy": (64, 256, 1024, 4096),
-         "algebraic": (64, *FITTED), "general": (64, 256, 1024, 4096), "central": (64, 256, 1024, 4096)}  # fmt: skip
 PIXELS_A_VISIT = 2**23
 STEP = 1024
 
@@ -39,7 +37,7 @@ def calls(side: int) -> int:
     return max(2, min(40, PIXELS_A_VISIT // side**2))
 
 
-def on_numpy(scene: Scene, width: int, height: int, threads: int = 1) -> Frame:
+def on_numpy(scene: Scene, width: int, height: int, threads: int) -> Frame:
     """Return a frame as NumPy draws it, where there is no LLVM."""
     with patch.object(picture, "machine", lambda: numpy_rows):
         return render(scene, width, height, threads=threads)
@@ -47,16 +45,13 @@ def on_numpy(scene: Scene, width: int, height: int, threads: int = 1) -> Frame:
 
 def frame_cases(largest: int) -> list[Case]:
     """Return every case of a whole frame, from nothing, up to a side of `largest`; the slow ones get fewer visits."""
-    cases = []
-    for name, sides in SIDES.items():
-        for side, threads in product((side for side in sides if side <= largest), THREADS):
-            label, frame = f"{name}_{side}_{threads}", (SCENE, side, side)
-            if name in METHODS:
-                cases.append(Case(label, partial(render, *frame, METHODS[name], threads=threads), calls(side)))
-            elif name == "numpy":
-                cases.append(Case(label, partial(on_numpy, *frame, threads), max(1, calls(side) // 8), 5))
-            elif threads == 1:
-                cases.append(Case(label, partial(seed_loops, *frame, None if name == "seed_exact" else EPS), 1, 3))
+    cases = [Case(f"numpy_{STEP}_2", partial(on_numpy, SCENE, STEP, STEP, 2), 1, 5)]
+    for side, (name, eps) in product((128, 256), {"exact": None, "central": EPS}.items()):
+        cases.append(Case(f"seed_{name}_{side}_1", partial(seed_loops, SCENE, side, side, eps), 1, 3))
+    sizes = [("algebraic", *size) for size in product((64, *FITTED), THREADS) if size[0] <= largest]
+    for name, side, threads in (("central", STEP, 2), *sizes):
+        draw = partial(render, SCENE, side, side, METHODS[name], threads=threads)
+        cases.append(Case(f"{name}_{side}_{threads}", draw, calls(side)))
     return cases
 
 

@@ -13,7 +13,7 @@ from proofs.engine.claim import Claim, Induction, Separation
 from proofs.engine.counterexample import refutation
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.stored import each_shown
-from proofs.engine.theorem import Mutant, Theorems
+from proofs.engine.theorem import Mutant
 from verify.checkers import witness
 from verify.checkers.digits import TOLERANCE, WORKING_DIGITS, Code, Undefined, decided, parts_of
 from verify.checkers.sampler import Sampler, real_roots
@@ -30,7 +30,7 @@ FAILURES, UNROLLED = 6, 4  # and the first numbers of which an induction is trie
 EFFORTS = ((60, 20), (400, 200))  # points that satisfy the hypotheses, and draws for each: a short look, a long one
 
 
-def counterexample(mutant: Mutant, seed: str, theorems: Theorems) -> dict[str, Any] | None:
+def counterexample(mutant: Mutant, seed: str) -> dict[str, Any] | None:
     """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
 
     exact: at the point, a rational one, the kernel accepts that the claim is refuted. certified: intervals show that
@@ -40,15 +40,15 @@ def counterexample(mutant: Mutant, seed: str, theorems: Theorems) -> dict[str, A
         path = path_to_avoided(mutant.claim)
         return None if path is None else {"exact": True, "certified": True, "at": {"path": " → ".join(path)}}
     if not isinstance(mutant.claim, Induction):
-        return _where_it_fails(mutant.claim, mutant.at, seed, theorems)
+        return _where_it_fails(mutant.claim, mutant.at, seed)
     for number in range(UNROLLED):
-        point = _where_it_fails(mutant.claim.of(number), mutant.at, seed, theorems)
+        point = _where_it_fails(mutant.claim.of(number), mutant.at, seed)
         if point:
             return point | {"at": point["at"] | {mutant.claim.n.name: str(number)}}
     return None
 
 
-def _where_it_fails(claim, at, seed, theorems):
+def _where_it_fails(claim, at, seed):
     failures: list[dict] = []
     if at:
         failing = witness.fails_at(claim, at)
@@ -59,7 +59,7 @@ def _where_it_fails(claim, at, seed, theorems):
     if not failures:
         return None
     failures.sort(key=witness.length)
-    exact = exact_counterexample(claim, failures, theorems)
+    exact = exact_counterexample(claim, failures)
     sampler = Sampler(claim, seed)
     near = exact or next((point for point in failures if certified(sampler, point, dict(at))), None)
     return {
@@ -69,10 +69,10 @@ def _where_it_fails(claim, at, seed, theorems):
     }
 
 
-def exact_counterexample(claim: Claim, failures: Iterable[dict], theorems: Theorems) -> dict[str, str] | None:
+def exact_counterexample(claim: Claim, failures: Iterable[dict]) -> dict[str, str] | None:
     """Return a rational point, {name: text}, near one of the failures, that the kernel accepts, or None."""
     try:
-        statements = each_shown(claim, theorems)
+        statements = each_shown(claim)
     except Untranslatable:
         return None
     for point in failures:

@@ -34,7 +34,7 @@ from typing import Any
 import numpy as np
 
 from proofs.engine.project import PROJECT
-from proofs.engine.theorem import Theorem, Theorems, incomplete
+from proofs.engine.theorem import Theorem
 from verify.checkers.grades import Examination
 from verify.optional import arb, lacking
 
@@ -52,15 +52,13 @@ REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 class Measurement:
     """One measurement: values of each case, drawn with `seed` (None: nothing is random), and a bound.
 
-    values: numbers, one or more a case. These, or the numbers that a function `of` them returns, are compared with
-    `claimed`, and may be off by `bound`. holds: whether all else that is claimed does.
+    values: numbers, one or more a case, whose sizes may be `bound` at most. holds: whether all else that is claimed
+    does.
     """
 
     values: Any
     bound: Any
     quantity: str
-    claimed: Any = 0.0
-    of: Callable[[np.ndarray], Any] = np.asarray
     seed: int | None = None
     holds: bool = True
 
@@ -71,16 +69,14 @@ class Measurement:
 
     @property
     def worst(self) -> float:
-        """The largest error of them, or of the numbers made of them."""
-        return float(np.max(np.abs(np.subtract(self.of(np.asarray(self.values)), self.claimed)), initial=0.0))
+        """The largest size of them."""
+        return float(np.max(np.abs(self.values), initial=0.0))
 
     def why_refused(self) -> str:
         """Return why this is no evidence, "" where it is: something was seen, finite and within a finite bound."""
         values = np.asarray(self.values)
         if not self.quantity or len(np.unique(values)) < 2:
             return f"{values.size} cases of {self.quantity!r}, none unlike another"
-        if np.array_equal(self.of(np.random.default_rng(SEED).random(values.shape)), self.of(values)):
-            return "what is compared does not depend on what was seen"
         if not (math.isfinite(self.worst) and math.isfinite(self.bound)):
             return "the worst, or its bound, is no finite number"
         return "" if self.holds and self.worst <= self.bound else FALSE
@@ -165,10 +161,13 @@ def _ball(number):
 
 
 def record(evidence: Measurement | Enclosure) -> dict[str, Any]:
-    """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits."""
+    """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits.
+
+    What is measured is rounded to one digit: more would depend on the machine's libm.
+    """
     certified = isinstance(evidence, Enclosure)
     entry = {"samples": evidence.samples, "seed": evidence.seed, "certified": certified, "what": evidence.quantity}
-    return entry | {"worst": rounded(evidence.worst), "bound": rounded(evidence.bound)}
+    return entry | {"worst": rounded(evidence.worst, DIGITS if certified else 1), "bound": rounded(evidence.bound)}
 
 
 def variables(tex: str) -> set[str]:
@@ -193,10 +192,10 @@ def says(words: str, bound: Any) -> bool:
     return float(bound) in map(float, re.findall(r"\d+(?:\.\d+)?", words))
 
 
-def rounded(value: Any) -> float:
-    """Return a number to DIGITS significant digits; a ball is rounded from its upper end."""
+def rounded(value: Any, digits: int = DIGITS) -> float:
+    """Return a number to some significant digits; a ball is rounded from its upper end."""
     value = value.upper() if isinstance(value, arb) else value
-    return float(f"{float(value):.{DIGITS}g}")
+    return float(f"{float(value):.{digits}g}")
 
 
 def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Callable], Callable]:
@@ -212,35 +211,27 @@ def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Cal
 
 
 @cache
-def _left_out():
-    """Import every module of measurements; return {id: the library it needs} of those that cannot be imported."""
-    needs, folder = {}, PROJECT.folder(PROJECT.measurements)
-    for module in sorted(m.name for m in pkgutil.iter_modules([str(folder)])):
-        try:
-            importlib.import_module(f"{PROJECT.measurements}.{module}")
-        except ImportError as error:
-            if not (library := lacking(error)):
-                raise
-            text = (folder / f"{module}.py").read_text(encoding="utf-8")
-            needs |= dict.fromkeys(re.findall(r'\bmeasures\(\s*"(\w+)"', text), library)
-    return needs
+def library_needed() -> str | None:
+    """Import every module of measurements; return the library for want of which that cannot be done here, or None."""
+    try:
+        for module in pkgutil.iter_modules([str(PROJECT.folder(PROJECT.measurements))]):
+            importlib.import_module(f"{PROJECT.measurements}.{module.name}")
+    except ImportError as error:
+        if library := lacking(error):
+            return library
+        raise
+    return None
 
 
 def measurements() -> dict[str, list[tuple[Callable, dict]]]:
     """Return all that is registered, of every module of measurements that can be imported here."""
-    _left_out()
+    library_needed()
     return REGISTERED
 
 
-def library_for(theorem_id: str) -> str | None:
-    """Return the library without which a theorem cannot be measured here, or None if it can."""
-    return _left_out().get(theorem_id)
-
-
-def examine(theorem: Theorem, theorems: Theorems) -> Examination:
+def examine(theorem: Theorem) -> Examination:
     """Return the Examination of a theorem without claims."""
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
-    examination.problems += incomplete(theorem, theorems)
     examination.check_sources(theorem)
     evidence = [(function(), function, false) for function, false in measurements().get(theorem.id, ())]
     examination.record["measurements"] = [_measured(examination, theorem, *entry) for entry in evidence]

@@ -32,7 +32,7 @@ from proofs.engine.induction import induction
 from proofs.engine.program import flat
 from proofs.engine.statement import cases_of
 from proofs.engine.stored import NotFound, Stale, evidence, show_polynomial, statements, stored
-from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem, Theorems, borrowed, incomplete
+from proofs.engine.theorem import WITHOUT_CLAIMS, Theorem
 from verify.checkers import witness
 from verify.checkers.counterexamples import FAILURES, counterexample, flint
 from verify.checkers.grades import Examination
@@ -52,44 +52,41 @@ def why_rejected(statement: dict, certificate: dict) -> str | None:
     return f"the kernel rejects: {reason}{shown}"
 
 
-def examine(theorem: Theorem, theorems: Theorems, anew: bool = False, points: int = POINTS) -> Examination:
+def examine(theorem: Theorem, anew: bool = False, points: int = POINTS) -> Examination:
     """Return the Examination of a theorem.
 
     Nobody has to trust the search: it is asked whether it proves a mutant, what a formula that changed left over, and,
     with anew, for every certificate, whatever is stored.
     """
     if not theorem.claims and (theorem.pinned or theorem.rounded or theorem.expected in WITHOUT_CLAIMS):
-        return importlib.import_module("verify.checkers.measurements").examine(theorem, theorems)
+        return importlib.import_module("verify.checkers.measurements").examine(theorem)
     prove = importlib.import_module("proofs.engine.certificate").prove
     examination = Examination(theorem.id, theorem.expected, theorem.uses)
     examination.record["grade"] = "failed"
     try:
         for claim in theorem.claims:
-            statements(claim, theorems)
+            statements(claim)
     except Untranslatable as error:  # nor is it sampled
         examination.problems.append(str(error))
         return examination
-    examination.problems += incomplete(theorem, theorems)
-    _check_certificates(examination, theorem, theorems, prove, anew)
+    _check_certificates(examination, theorem, prove, anew)
     examination.check_sources(theorem)
     examination.record["witness"] = [_sampled(examination, theorem, claim, points) for claim in theorem.claims]
     examination.record["side_conditions"] = [_edges(examination, theorem, each) for each in theorem.side_conditions]
     examination.mutants += len(theorem.mutants)
     refute = _refute_variant if theorem.expected == "refuted" else _refute_mutant
-    examination.record["mutants"] = [
-        refute(examination, theorem, mutant, theorems, prove, anew) for mutant in theorem.mutants
-    ]
+    examination.record["mutants"] = [refute(examination, theorem, mutant, prove, anew) for mutant in theorem.mutants]
     examination.record["grade"] = examination.grade
     return examination
 
 
-def _check_certificates(examination, theorem, theorems, prove, anew):
+def _check_certificates(examination, theorem, prove, anew):
     examination.claims = len(theorem.claims)
     try:
-        claims = evidence(theorem, theorems, prove) if anew else stored(theorem, theorems)
+        claims = evidence(theorem, prove) if anew else stored(theorem)
     except Stale as error:
         try:
-            evidence(theorem, theorems, prove)
+            evidence(theorem, prove)
             why = "a certificate exists"
         except NotFound as failed:
             why = str(failed)
@@ -99,7 +96,7 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
         examination.problems.append(str(error))
         return
     for claim in theorem.claims:
-        examination.problems += [f"{claim.name}: {idle} says nothing" for idle in by_definition(claim, theorems)]
+        examination.problems += [f"{claim.name}: {idle} says nothing" for idle in by_definition(claim)]
     for claim, cases in claims:
         examination.problems += [f"{claim.name}: {why}" for why in reasons(cases, why_rejected) if why]
     shown = [statement for _, cases in claims for statement, *_ in cases]
@@ -107,7 +104,7 @@ def _check_certificates(examination, theorem, theorems, prove, anew):
     examination.record |= {"statements": len(shown), "hypotheses": hypotheses}
 
 
-def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
+def by_definition(claim: AnyClaim) -> list[str]:
     """Return the relations of a claim that say nothing: once translated they read 0 = 0 or 3 > 2, or are given."""
     if isinstance(claim, Induction):
         translated = induction(claim)
@@ -115,16 +112,16 @@ def by_definition(claim: AnyClaim, theorems: Theorems) -> list[str]:
         return [str(r) for r, p in zip(claim.shows, translated["show"], strict=True) if not p or p in equations]
     if isinstance(claim, Separation):  # of outputs that are inputs it says nothing
         return [] if {*dict(claim.lines.definitions)}.intersection(claim.outputs) else [claim.name]
-    idle = set.intersection(*(idle for _, idle in cases_of(borrowed(claim, theorems))))
+    idle = set.intersection(*(idle for _, idle in cases_of(claim)))
     shows = [claim.shows[number] for number in sorted(idle)]
     alone = len(shows) == len(claim.shows)  # beside what says something, 3 > 2 is a step to it
     return [str(relation) for relation in shows if alone or relation.free_symbols or relation.rel_op == "=="]
 
 
-def why_unproved(claim: AnyClaim, theorems: Theorems, prove: Callable, **effort: int) -> str | None:
+def why_unproved(claim: AnyClaim, prove: Callable, **effort: int) -> str | None:
     """Return None if a search finds what the kernel accepts as proof of a claim, else why it is not proved."""
     try:
-        cases = prove(claim, theorems, **effort)
+        cases = prove(claim, **effort)
     except NotFound as error:
         return str(error)
     return next((str(why) for why in reasons(cases, why_rejected) if why), None)
@@ -166,19 +163,19 @@ def _edges(examination, theorem, condition):
     return {"condition": condition.text, "claim": condition.claim, "edges": edges}
 
 
-def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
+def _refute_mutant(examination, theorem, mutant, prove, anew):
     """Check that a mutant is refused, and find its counterexample."""
     effort = {} if anew else {"effort": 2}
-    refused = why_unproved(mutant.claim, theorems, prove, **effort) is not None
-    translated, wrong = _said(mutant, theorems), []
+    refused = why_unproved(mutant.claim, prove, **effort) is not None
+    translated, wrong = _said(mutant), []
     if why := why_no_variant(theorem, mutant.claim):
         wrong.append(f"{mutant.text}: {why}")
-    alike = [other.text for other in theorem.mutants if translated and _said(other, theorems) == translated]
+    alike = [other.text for other in theorem.mutants if translated and _said(other) == translated]
     if len(alike) > 1:
         wrong.append(f"these say the same: {', '.join(alike)}")
     if not refused:
         wrong.append(f"mutant accepted: {mutant.text}")
-    point = counterexample(mutant, f"{theorem.id}/{mutant.text}", theorems)
+    point = counterexample(mutant, f"{theorem.id}/{mutant.text}")
     if point is None:
         wrong.append(f"mutant without a counterexample: {mutant.text}")
     elif not point["exact"] and flint and not point["certified"]:
@@ -188,9 +185,9 @@ def _refute_mutant(examination, theorem, mutant, theorems, prove, anew):
     return {"mutant": mutant.text, "refused": refused, "counterexample": point}
 
 
-def _said(mutant, theorems):
+def _said(mutant):
     try:
-        return statements(mutant.claim, theorems)
+        return statements(mutant.claim)
     except Untranslatable:
         return None
 
@@ -224,9 +221,9 @@ def _atoms(parts):
     return set().union(*(e.atoms(Symbol, NumberSymbol) for e in expressions))
 
 
-def _refute_variant(examination, theorem, mutant, theorems, prove, anew):
+def _refute_variant(examination, theorem, mutant, prove, anew):
     """Check that a true variant of a refuted statement is accepted, and that the counterexample spares it."""
-    why = why_unproved(mutant.claim, theorems, prove)
+    why = why_unproved(mutant.claim, prove)
     spared = not theorem.refuted_at or witness.fails_at(mutant.claim, theorem.refuted_at, attempts=1) is None
     if why:
         examination.problems.append(f"true variant not accepted: {mutant.text}: {why}")

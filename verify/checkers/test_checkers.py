@@ -85,5 +85,5 @@ def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, mon
         path.write_bytes(bad)
         assert check.main([]) == 1 and "the file: " in capsys.readouterr().out
         with pytest.raises(stored.Stale, match="of its stored certificates"):
-            stored.stored(theorems["unit_length"], theorems)
+            stored.stored(theorems["unit_length"])
     assert check.main(["nothing"]) == 2 and "nothing" in capsys.readouterr().err

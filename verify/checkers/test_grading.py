@@ -6,8 +6,7 @@ import pytest
 from sympy import symbols
 
 from proofs.engine.claim import Claim, equation
-from proofs.engine.program import chain
-from proofs.engine.theorem import Theorem, all_theorems, in_order, incomplete, variant
+from proofs.engine.theorem import Theorem, all_theorems, in_order, variant
 from verify.checkers.grades import NOT_RECHECKED, graded
 from verify.checkers.proof_checker import examine
 
@@ -18,7 +17,7 @@ TRUE = FALSE.but(given=x > 1)
 
 def theorem(id, uses=(), claim=TRUE):
     mutants = [variant("2 for 1", claim, equation((x * y + x) / x, y + 2))] * 2
-    return Theorem(id, id, "", claim, mutants, {"all": "at once"}, uses=uses)
+    return Theorem(id, id, "", claim, mutants, {"all": ("at once", uses)})
 
 
 def test_theorems_that_use_each_other_are_an_error():
@@ -37,17 +36,16 @@ def test_a_false_theorem_fails_and_says_why():
         (False, false, "searched anew: no certificate found for"),
         (False, theorem("true"), "searched anew: a certificate exists"),
     ):
-        examination = examine(of_theorem, {}, anew=anew)
+        examination = examine(of_theorem, anew=anew)
         assert examination.grade == "failed" and why in examination.problems[0]
         assert any("false at {'x'" in problem for problem in examination.problems) == (of_theorem is false)
 
 
 def test_a_mutant_that_holds_fails_the_theorem():
     """By a search, as no other claim; and no counterexample is found."""
-    theorems = all_theorems()
-    real = theorems["unit_length"]
+    real = all_theorems()["unit_length"]
     mutants = [variant("the same", real.claims[0])] * 2
-    examination = examine(replace(real, mutants=mutants, side_conditions=()), theorems)
+    examination = examine(replace(real, mutants=mutants, side_conditions=()))
     assert {problem.partition(":")[0] for problem in examination.problems} == {
         "these say the same",
         "mutant accepted",
@@ -73,22 +71,3 @@ def test_a_grade_counts_what_the_theorem_rests_on(run):
     for entry, (_, alone, told, *uses) in zip(entries, run, strict=True):
         assert entry["grade"] == told
         assert alone == told or uses[0] in entry["reason"] or told == NOT_RECHECKED
-
-
-def test_uses_is_complete():
-    """`uses` has what is borrowed or named in a step, and nothing idle; what could be borrowed has to be."""
-    program = chain("p", {y: x**2})
-    first = theorem("first", claim=Claim("square", y >= 0, lines=program))
-    plain = Claim("sum", y + 1 > 0, lines=program)
-    assumed, taken = plain.but(given=y >= 0), plain.but(borrowed=(("first", "square"),))
-    elsewhere = assumed.but(lines=chain("q", {y: x**3}))  # another y
-    named = {"y ≥ 0": ("a square", "first")}
-
-    def problems(claim, uses=(), **changes):
-        second = replace(theorem("second", uses, claim), **changes)
-        return incomplete(second, {"first": first, "second": second})
-
-    assert problems(taken) == problems(elsewhere) == []
-    assert problems(plain, "first", steps=named) == []
-    assert "second: uses first, but no claim borrows" in problems(plain, "first")[0]
-    assert problems(assumed) == ["second/sum: borrow y >= 0 from first/square"]

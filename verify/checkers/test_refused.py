@@ -29,13 +29,10 @@ from proofs.engine.claim import CitedLemma, Claim, Induction, Separation, equati
 from proofs.engine.derivative import Untranslatable
 from proofs.engine.program import Program, chain
 from proofs.engine.stored import statements
-from proofs.engine.theorem import all_theorems
 from verify.checkers.test_attacks import TRUE, examined, line, n, x, y
 
 with evaluate(False):
     UNORDERED, NONE_AT_0 = cos(Max(x, 1 / S.Zero)), x ** (y / y)
-THEOREMS = {"unit_length": all_theorems()["unit_length"]}
-LENT = next(claim for claim in THEOREMS["unit_length"].claims if claim.given)
 HIDDEN, WHOLE, MANY = Symbol("q", positive=True), Symbol("n", integer=True), symbols("a:80", real=True)
 SHOWN, NONE, ABOVE = Claim("shown", greater(x, 0)), equation(x, 0), greater(HIDDEN, 0)
 STATE = Induction("of states", n, NONE, ((x, 0, x),))
@@ -109,14 +106,6 @@ STATES = [
             ("what is given", {"given": greater(cos(n * y), 0)}),
         )
     ),
-    *(
-        (SHOWN.but(borrowed=(lent,)), why)
-        for lent, why in (
-            (("nowhere", "length"), "it borrows from nowhere/length, which is no claim"),
-            (("unit_length", "nothing"), "it borrows from unit_length/nothing, which is no claim"),
-            (("unit_length", LENT.name), "not all given"),
-        )
-    ),
 ]
 """[(a claim, why it has no statement)]: a line's name may change with x, and a state with n."""
 REFUSED = [*SYMBOLS, *((SHOWN.but(shows=equation(value, x)), why) for value, why in VALUES), *STATES]
@@ -125,7 +114,7 @@ REFUSED = [*SYMBOLS, *((SHOWN.but(shows=equation(value, x)), why) for value, why
 @pytest.mark.parametrize(("claim", "why"), REFUSED)
 def test_what_no_rule_translates_is_refused(claim, why):
     with pytest.raises(Untranslatable, match=why):
-        statements(claim, THEOREMS)
+        statements(claim)
 
 
 @pytest.mark.parametrize("claim", (SYMBOLS[0][0], STATES[0][0], STATE.but(shows=greater(1, x))))

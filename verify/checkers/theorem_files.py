@@ -2,6 +2,7 @@
 
 import ast
 import builtins
+import re
 
 from proofs.engine.project import PROJECT
 
@@ -10,9 +11,12 @@ TRUSTED = ("__init__", "language")
 ENGINE = tuple(f"proofs.engine.{name}." for name in ("claim", "half_turns", "vectors"))
 IMPORTED = (f"{PROJECT.formulas}.", f"{PROJECT.theorems}.", *ENGINE)
 FROM_SYMPY = {"Abs", "Derivative", "Expr", "Max", "Min", "Piecewise", "Rational", "cos", "pi", "sign", "sin", "sqrt"}
-CHANGING = {"append", "clear", "diff", "doit", "pop", "popitem", "setdefault", "update"}
+READING = {*dir(tuple), *dir(frozenset), "fromkeys", "get", "items", "keys", "values"}
+CHANGING = {"diff", "doit", "put", *dir(dict), *dir(list), *dir(set)} - READING
+RUNNING = {"evaluate", "import_module", "iter_modules", "lambdify", "mpmathify", "operator", "sympify"}
 BUILT_IN = {"dict", "enumerate", "float", "int", "len", "map", "range", "sum", "tuple", "zip"}
-BARRED = CHANGING | {"S"} | {*dir(builtins)} - BUILT_IN
+BARRED = CHANGING | RUNNING | {"S"} | {*dir(builtins)} - BUILT_IN
+INNER = re.compile(r"_|(ag|cr|f|gi|tb)_")  # of an object, and of Python's own frames
 
 
 def why_no_data(text: str) -> list[str]:
@@ -40,7 +44,7 @@ def _why_not(node):
         case ast.Name(id=name):
             barred = {name} if name in BARRED or "__" in name else ()
         case ast.Attribute(attr=name):
-            barred = {name} if name in CHANGING or "__" in name else ()
+            barred = {name} if name in CHANGING | RUNNING or INNER.match(name) else ()
         case _:
             return ""
     return f"names {', '.join(sorted(barred))}" if barred else ""

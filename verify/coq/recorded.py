@@ -59,8 +59,8 @@ def digest(text: str) -> str:
 def why_not_pinned(theorem: Theorem) -> list[str]:
     """Return why Coq's record does not bear a theorem out.
 
-    Of what it pins: another text, none, no false variant refuted, no point. Of its claims those of float64, which Coq
-    alone proves, and those that cite a lemma, have to be proved there.
+    Of what it pins: another text, none, no false variant refuted, of its own names, no point that exists. Of its
+    claims those of float64, which Coq alone proves, and those that cite a lemma, have to be proved there.
     """
     accepted, problems = record(), []
     for claim in (*theorem.rounded, *(claim for claim in theorem.claims if claim.cited)):
@@ -71,8 +71,14 @@ def why_not_pinned(theorem: Theorem) -> list[str]:
             problems.append(f"{pin.name} is not in Coq's record of the files as they are")
         elif digest(text) != pin.digest:
             problems.append(f"Coq proves another {pin.name} than was read: {digest(text)}, not {pin.digest}:\n{text}")
-        elif not in_full(f"{pin.name}__false", accepted):
+        elif not _denies(in_full(f"{pin.name}__false", accepted), text):
             problems.append(f"{pin.name} has no false variant that Coq refutes")
-        elif IMPLIES.search(text.partition("\n\n")[0]) and not in_full(f"{pin.name}__point", accepted):
+        elif IMPLIES.search(text.partition("\n\n")[0]) and "exists" not in in_full(f"{pin.name}__point", accepted):
             problems.append(f"{pin.name} has no point at which Coq shows its hypotheses to hold")
     return problems
+
+
+def _denies(false, text):
+    """Return whether a text says that something is not so, by a third of the names of another text."""
+    denied, said = ({*WORD.findall(each.partition("\n\n")[0])} for each in (false, text))
+    return false.startswith("~") and 3 * len(denied & said) >= len(said)

@@ -10,7 +10,6 @@ import numpy as np
 
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.machines.forms import COLORS, of_form
-from renderer.machines.recording import Recorder
 from renderer.operations import UNIT
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
@@ -18,6 +17,7 @@ from renderer.scene.scene import BUMPS, MAX_LIGHTS, Scene
 from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want, numbers_of
 from renderer.shader.rounded_inputs import input_bounds
 from renderer.shader.shader import SLOPES, Group
+from verify.coq.recorder import Recorder
 
 HEADER = """(* Printed from renderer/shader by `python -m renderer.generate`. Do not edit: change the shader.
    A pixel's program, recorded from the shader: the places of inputs and outputs by their names; then the lines, each an

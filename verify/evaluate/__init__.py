@@ -20,7 +20,6 @@ from proofs.engine.program import Program
 from proofs.printers.numbers import NumberPrinter
 
 DIGITS = 50
-NOTHING = mpmath.nan  # the value of a line that has none, such as the normal of a sphere that is not hit
 OPERATORS = {"<": (operator.lt, operator.ge), ">": (operator.gt, operator.le), "==": (operator.eq, operator.ne)}
 OPERATORS |= {"<=": (operator.le, operator.gt), ">=": (operator.ge, operator.lt), "!=": (operator.ne, operator.eq)}
 """{relation: (the operator, that of its negation)}"""
@@ -51,8 +50,6 @@ MPMATH = ANY_NUMBERS | {
     **{name: getattr(mpmath, of_mpmath) for name, of_mpmath in MPMATHS_OWN.items()},
     "rational": lambda p, q: mpmath.mpf(p) / q,
     "nan": mpmath.nan,
-    "binary_exponent": lambda x: mpmath.mpf(mpmath.frexp(x)[1] - 1),
-    "power_of_two": lambda n: mpmath.mpf(2) ** n,
     "maximum": max,
     "minimum": min,
     "atan2pi": lambda y, x: mpmath.atan2(y, x) / mpmath.pi if x or y else mpmath.mpf(0),
@@ -74,28 +71,10 @@ class Evaluator:
     def __init__(self, program: Program):
         self.inputs, self.code = [s.name for s in program.inputs], code_of(program)
 
-    def run(self, values: Mapping[str, Any], names: Mapping[str, Any], nothing: Any = None) -> dict[str, Any]:
-        """Return {name: value} of the inputs, as they are given, and of every line.
-
-        names: the table of their kind. nothing: what a line is that divides by zero, if that is no error.
-        """
+    def run(self, values: Mapping[str, Any], names: Mapping[str, Any]) -> dict[str, Any]:
+        """Return {name: value} of the inputs, as they are given, and of every line; names: the table of their kind."""
         computed = dict(values)
         scope = {**names, "value": computed}
         for name, code in self.code:
-            try:
-                computed[name] = eval(code, scope)
-            except ZeroDivisionError:
-                if nothing is None:
-                    raise
-                computed[name] = nothing
+            computed[name] = eval(code, scope)
         return computed
-
-
-class Reference(Evaluator):
-    """A straight-line program at any precision, by mpmath."""
-
-    def __call__(self, values: Mapping[str, Any], digits: int = DIGITS) -> dict[str, mpmath.mpf]:
-        """Return {name: value} of every input and line; `values` has a float or an mpf for every input's name."""
-        # A product k·u of float64 numbers has 106 bits; the guard digits keep it exact, and cancellation away.
-        with mpmath.workdps(digits + 20):
-            return self.run({name: mpmath.mpf(values[name]) for name in self.inputs}, MPMATH, NOTHING)

@@ -42,6 +42,8 @@ BALLS = ANY_NUMBERS | {
     "sqrt": root,
     "power": power,
     "rint": lambda x: (x + 0.5).floor(),
+    "binary_exponent": lambda x: arb(x.mid().man_exp()[1] + x.mid().man_exp()[0].bit_length() - 1),
+    "power_of_two": lambda n: arb(2) ** n,
     "maximum": lambda *values: reduce(arb.max, values),
     "minimum": lambda *values: reduce(arb.min, values),
     "inf": arb.pos_inf(),

@@ -26,11 +26,6 @@ def naive(program: Program) -> Program:
     return Program("naive", program.inputs, {s: ordinary(e) for s, e in program.definitions}, program.outputs)
 
 
-def naive_gradient(field: HeightField) -> Program:
-    """Return the exact gradient so."""
-    return naive(gradient(field))
-
-
 def rounded_product_gradient(field: HeightField) -> Program:
     """Return the gradient with the product k·u rounded first, and reduced in half-turns after that."""
     program, products = gradient(field), dict(zip((k_u * u, k_v * v), real("argument_of_u argument_of_v"), strict=True))
@@ -75,15 +70,12 @@ def richardson(field: HeightField) -> Program:
 
     The weight of a step cε leaves the error's terms ε², ε⁴ … out: Lagrange's at 0, in c².
     """
-    lines, sums, steps = [], {h_u: 0, h_v: 0}, [Rational(1, 2**n) for n in range(4)]
+    lines, sums, steps = {}, {h_u: 0, h_v: 0}, [Rational(1, 2**n) for n in range(4)]
     for number, step in enumerate(steps):
         weight = prod(other**2 / (other**2 - step**2) for other in steps if other != step)
         for result, coordinate in ((h_u, u), (h_v, v)):
-            above, below, quotient = (real(f"{kind}_{result}_{number}") for kind in ("above", "below", "quotient"))
-            lines += [
-                (above, field.expression.xreplace({coordinate: coordinate + step * epsilon})),
-                (below, field.expression.xreplace({coordinate: coordinate - step * epsilon})),
-                (quotient, (above - below) / (2 * step * epsilon)),
-            ]
-            sums[result] += weight * quotient
-    return Program(f"richardson_{field.name}", (u, v, k_u, k_v, epsilon), (*lines, *sums.items()), (h_u, h_v))
+            above, below = (field.expression.xreplace({coordinate: coordinate + s * epsilon}) for s in (step, -step))
+            apart = real(f"apart_{result}_{number}")
+            lines[apart] = above - below
+            sums[result] += weight * apart / (2 * step * epsilon)
+    return Program(f"richardson_{field.name}", (u, v, k_u, k_v, epsilon), lines | sums, (h_u, h_v))

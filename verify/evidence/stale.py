@@ -1,7 +1,7 @@
-"""Printed files and stored certificates that no longer follow from the formulas:  python -m verify.evidence.stale
+"""Stored certificates that no longer follow from the formulas:  python -m verify.evidence.stale
 
-It lists the files that `python -m renderer.generate` would change, and the theorems whose certificates have to be
-searched anew; nothing is searched, and no certificate is checked. It fails where there is any.
+It lists the theorems whose certificates have to be searched anew; nothing is searched, and no certificate is checked.
+It fails where there is any.
 """
 
 import argparse
@@ -9,32 +9,19 @@ import sys
 from collections.abc import Iterator
 
 from proofs.engine.stored import NotFound, Stale, stored
-from proofs.engine.theorem import Theorem, Theorems, all_theorems
-from renderer.generate.__main__ import PRINTED
-
-
-def why_stale(theorem: Theorem, theorems: Theorems) -> str | None:
-    """Return why a theorem's claims are not those of its stored certificates, or None."""
-    try:
-        stored(theorem, theorems)
-    except (Stale, NotFound) as error:
-        return str(error)
-    return None
+from proofs.engine.theorem import all_theorems
 
 
 def problems() -> Iterator[str]:
-    """Yield the files and theorems that no longer follow from the formulas, each with the reason."""
-    for path, source_of in PRINTED.items():
-        if path.read_text(encoding="utf-8") != source_of():
-            yield f"{path.name}: not what is printed now"
-    theorems = all_theorems()
-    yield from filter(None, (why_stale(theorem, theorems) for theorem in theorems.values() if theorem.claims))
+    """Yield why the claims of a theorem are not those of its stored certificates, for each of which that is so."""
+    for theorem in all_theorems().values():
+        try:
+            if theorem.claims:
+                stored(theorem)
+        except (Stale, NotFound) as error:
+            yield str(error)
 
 
 if __name__ == "__main__":
     argparse.ArgumentParser("python -m verify.evidence.stale", description=__doc__).parse_args()
-    stale = False
-    for problem in problems():
-        print(problem)
-        stale = True
-    sys.exit(stale)
+    sys.exit("\n".join(problems()) or None)

@@ -19,10 +19,10 @@ from proofs.formulas.symbols import h_u, h_v, normal
 from proofs.formulas.tangent_frame import e_phi, e_theta, seed_frame, seed_sin_phi, unit_normal
 from renderer import kernels
 from verify.evaluate.arrays import Inputs, in_float64, with_bounds
-from verify.evaluate.programs import algebraic_gradient, naive_gradient
+from verify.evaluate.programs import algebraic_gradient, naive
 from verify.stability.sweep import Sweep, measured
 
-EYE, RADIUS = 4.0, 1.0
+EYE, RADIUS, RIDGES = 4.0, 1.0, HEIGHT_FIELDS["ridges"]
 SINES = np.logspace(np.log10(0.84), -149, 76)
 SEED_FALLBACK = 1e-4
 our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
@@ -30,22 +30,23 @@ our_normal = chain("our_normal", angles_on_a, unit_normal).keep(*normal)
 
 
 @lru_cache
-def tangent_vector(field: str, form: str) -> Program:
+def tangent_vector(form: str) -> Program:
     """Return the program (image point, scene) → g by the "general" or the "algebraic" form, this of k = (8, 4)."""
-    height_field = HEIGHT_FIELDS[field]
-    middle = [chart, gradient(height_field)] if form == "general" else [algebraic_gradient(height_field, 8.0, 4.0)]
+    middle = [chart, gradient(RIDGES)] if form == "general" else [algebraic_gradient(RIDGES, 8.0, 4.0)]
     return chain(f"g_{form}", angles_on_a, *middle, bumped_normal, outputs=g).keep(*g)
 
 
-@lru_cache
-def _seed_program(field):
-    outputs = (h_u, h_v, seed_sin_phi, *e_theta, *e_phi)
-    return chain("seed_g", seed_normal, seed_chart, naive_gradient(HEIGHT_FIELDS[field]), seed_frame, outputs=outputs)
+seed_g = chain(
+    "seed_g",
+    *(seed_normal, seed_chart, naive(gradient(RIDGES)), seed_frame),
+    outputs=(h_u, h_v, seed_sin_phi, *e_theta, *e_phi),
+)
+"""The seed's: the slopes, and the frame of g."""
 
 
-def seed_tangent_vector(field: str, inputs: Inputs, fallback: bool = True) -> dict[str, np.ndarray]:
+def seed_tangent_vector(inputs: Inputs, fallback: bool) -> dict[str, np.ndarray]:
     """Return {component of g: array} as the seed computes it, with or without its fixed frame near the pole."""
-    v = in_float64(_seed_program(field), inputs)
+    v = in_float64(seed_g, inputs)
     near = ~(v["seed_sin_phi"] > SEED_FALLBACK) & fallback
     fixed = (v["h_u"], v["h_v"], np.zeros_like(v["h_u"]))
     with np.errstate(invalid="ignore"):  # without the fallback it divides by zero below 10⁻⁸
@@ -71,9 +72,9 @@ def toward_the_pole(form: str = "algebraic", sines: np.ndarray = SINES, samples:
     cosines = np.sqrt((1 - sines) * (1 + sines))
     (rho,) = in_float64(parallel_radius, {"sin_phi": sines, "cos_phi": cosines, "eye": EYE, "radius": RADIUS}).values()
     inputs = image_points(rho, samples, seed) | {"k_u": 8.0, "k_v": 4.0}
-    others = {name: seed_tangent_vector("ridges", inputs, name != "seed") for name in ("seed", "seed with fallback")}
-    ours = with_bounds(tangent_vector("ridges", form), inputs)
-    return measured(sines, tangent_vector("ridges", "general"), inputs, ours, others=others)
+    others = {name: seed_tangent_vector(inputs, name != "seed") for name in ("seed", "seed with fallback")}
+    ours = with_bounds(tangent_vector(form), inputs)
+    return measured(sines, tangent_vector("general"), inputs, ours, others=others)
 
 
 def toward_the_silhouette() -> Sweep:

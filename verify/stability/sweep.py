@@ -1,7 +1,7 @@
 """A stress sweep: one parameter, some samples at each value; the errors, and the bound of every single point."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ class Sweep:
     errors: np.ndarray
     bounds: np.ndarray
     responses: np.ndarray
-    others: dict = field(default_factory=dict)
+    others: dict
 
     @property
     def points(self) -> int:

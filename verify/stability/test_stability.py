@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from proofs.formulas.certified import GENERAL_GRADIENT
 from proofs.formulas.seed_hit import seed_normal
 from renderer.machines.enclosing import UNIT
 from verify.evaluate.arrays import distance, in_balls
@@ -22,6 +23,7 @@ def test_no_point_escapes_its_bound(name):
     assert measured.points >= 500
     assert 1 < measured.sharpness < 100
     assert measured.in_responses() <= 30
+    assert measured.errors.max() <= GENERAL_GRADIENT * UNIT or not name.startswith("wave_numbers")
 
 
 def test_formulas_that_cancel_are_above_30_responses():

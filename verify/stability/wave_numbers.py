@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from verify.evaluate.arrays import in_float64
-from verify.evaluate.programs import naive_gradient, rounded_product_gradient
+from verify.evaluate.programs import naive, rounded_product_gradient
 from verify.stability.sweep import Sweep, measured
 
 SEED, LARGEST = 4, 2.0**20
@@ -48,7 +48,7 @@ def large_wave_numbers(field: str, pairs: ArrayLike | None = None, samples: int 
     height_field = HEIGHT_FIELDS[field]
     scales = dict(zip(("h_u", "h_v"), np.pi * np.maximum(1, np.abs(waves))[..., None], strict=True))
     others = {
-        "libm, rounded argument": in_float64(naive_gradient(height_field), inputs),
+        "libm, rounded argument": in_float64(naive(gradient(height_field)), inputs),
         "reduced, rounded product": in_float64(rounded_product_gradient(height_field), inputs),
     }
     return measured(np.abs(waves[0]), gradient(height_field), inputs, None, scales, others, partial(np.max, axis=0))

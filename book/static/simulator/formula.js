@@ -15,7 +15,7 @@ function formula_of(text, { ku, kv }) {
   const MOST_BITS = 256; // of a number
   const [MOST_OPERATIONS, OF_A_FUNCTION] = [1000, 10];
   const FUNCTIONS = ["sinpi", "cospi", "exp", "log", "abs", "sign", "floor", "atan2pi"]; // of one number
-  const HINT = "write 2*u, sin(u)**2, abs(u), where(u < v, 1, 2)";
+  const HINT = "write 2*u for 2u, 4*sin(u) for 4 sin(u), abs(u) for |u|, sin(u)**2, where(u < v, 1, 2)";
   const PART = /\s*(?:(\d+\.?\d*(?:e[+-]?\d+)?|\.\d+(?:e[+-]?\d+)?)|([a-z_]\w*)|(\*\*|[<>]=?|[-+*/%^(),&|])|(\S))/giy;
   const CHOICES = ["abs", "sign", "max", "min", "piecewise", "where"]; // in small letters
   /** @type {Map<string, FormulaNode>} */
@@ -44,7 +44,7 @@ function formula_of(text, { ku, kv }) {
   }
   /** @param {FormulaNode} a @param {number} value */
   const is = (a, value) => a.op === "number" && a.value === value;
-  const [ZERO, ONE, PI] = [number(0), number(1), node("pi")];
+  const [ZERO, ONE, PI] = [number(0), number(1), node("pi", Math.PI)];
 
   /** @param {FormulaNode} a @param {FormulaNode} b */
   function sum(a, b) {
@@ -152,8 +152,8 @@ function formula_of(text, { ku, kv }) {
   };
   /** @type {Record<string, FormulaNode>} */
   const NAMES = {
-    u: node("u"),
-    v: node("v"),
+    u: node("u", 1), // which argument it is
+    v: node("v", 2),
     k_u: number(ku),
     k_v: number(kv),
     ku: number(ku),
@@ -377,115 +377,61 @@ function formula_of(text, { ku, kv }) {
     return product(number(0.5), sum(sum(a_by, b_by), op === "max" ? steep : product(number(-1), steep)));
   }
 
+  /** All nodes that these need, each after its parts. @param {FormulaNode[]} wanted @param {Set<FormulaNode>} needed so far */
+  function nodes_of(wanted, needed = new Set()) {
+    for (const each of wanted) {
+      if (!needed.has(each)) nodes_of(each.args, needed);
+      needed.add(each);
+    }
+    return [...needed];
+  }
+
   if (text.length > LONGEST) throw refused(`at most ${LONGEST} letters`, END);
   const height = read();
   if (here() !== END) throw refused(`here the formula could end: ${HINT}`);
   if (2 * height.operations > MOST_OPERATIONS) throw refused("there are too many operations, slopes included");
   /** @type {FormulaNode[]} */
   const switches = []; // where one of these is 0 there may be a crease
-  for (const { op, args } of [...nodes.values()]) {
+  for (const { op, args } of nodes_of([height])) {
     if (["abs", "sign", "below"].includes(op)) switches.push(args[0]);
     if (op === "floor") switches.push(sinpi(args[0]));
     if (op === "max" || op === "min") switches.push(difference(args[0], args[1]));
   }
-  return { height, gradient: [slope(height, "u"), slope(height, "v")], switches, refused };
+  const wanted = [[height], [slope(height, "u"), slope(height, "v")], switches];
+  return { wanted, count: nodes.size, nodes_of, refused };
 }
 
 /**
- * A field made of a text, at its wave numbers, or an Error where it is not finite. What it computes has no proved bound.
+ * A field made of a text, at its wave numbers, or an Error where it is not finite: compiled for this page, on the module's
+ * memory and with its functions. What it computes has no proved bound.
  * @param {{ h?: string, ku: number, kv: number }} state
- * @param {KernelOver} kernel_over
+ * @param {Emitted} emitted
+ * @param {WebAssembly.Imports} imports
+ * @param {OverPoints} over_points
  */
-function own_field({ h = "", ku, kv }, kernel_over) {
-  const CHUNK = 512;
+function own_field({ h = "", ku, kv }, { head, codes, functions }, imports, over_points) {
   const GRID = 65;
   const SEAM = 1e-9;
   const LARGEST = 2 ** 1000;
   const ADVICE = "keep what it divides by off 0, and what it takes a root or log of above, as in sqrt(x**2 + 1e-4)";
-  const { abs, sign, max, min, floor, exp, log } = Math;
-  /** What an operation makes of numbers, the second its own where it has one part. @type {Record<string, (a: number, b: number) => number>} */
+  /** What an operation makes of numbers, the second its own where it has one part. @type {any} */
   const AT = {
-    ...{ abs, sign, max, min, floor, exp, log },
-    sum: (a, b) => a + b,
-    product: (a, b) => a * b,
-    power: (a, n) => a ** n,
-    atan2pi: (a) => Math.atan(a) / Math.PI,
-    sinpi: (a) => Math.sin(Math.PI * a),
-    cospi: (a) => Math.cos(Math.PI * a)
+    __proto__: Math,
+    sum: (/** @type {number} */ a, /** @type {number} */ b) => a + b,
+    product: (/** @type {number} */ a, /** @type {number} */ b) => a * b,
+    power: Math.pow,
+    atan2pi: (/** @type {number} */ a) => Math.atan(a) / Math.PI,
+    sinpi: (/** @type {number} */ a) => Math.sin(Math.PI * a),
+    cospi: (/** @type {number} */ a) => Math.cos(Math.PI * a)
   };
-  const { height, gradient, switches, refused } = formula_of(h, { ku, kv });
-
-  /** @param {FormulaNode[]} wanted all that they need, each after its parts */
-  function in_order(wanted) {
-    /** @type {Set<FormulaNode>} */
-    const needed = new Set();
-    /** @param {FormulaNode} of */
-    function visit(of) {
-      if (needed.has(of)) return;
-      of.args.forEach(visit);
-      needed.add(of);
-    }
-    wanted.forEach(visit);
-    return [...needed];
-  }
-
-  /** Compute a node of so many points into its own array. @param {FormulaNode} of @param {number} count @param {Record<string, Float64Array>} at */
-  function compute(of, count, at) {
-    const { op, args, value } = of;
-    if (op in at) {
-      of.out = at[op];
-      return;
-    }
-    const [a, b, c] = args.map((part) => /** @type {Float64Array} */ (part.out));
-    if (["sinpi", "cospi", "exp", "log", "atan2pi"].includes(op)) {
-      [of.out] = kernel_over(op, a.subarray(0, count), Number(op === "atan2pi"));
-      return;
-    }
-    of.out ??= new Float64Array(CHUNK);
-    const { out } = of;
-    if (op === "number") out.fill(value);
-    else if (op === "pi") out.fill(Math.PI);
-    else if (op === "sum") for (let i = 0; i < count; i++) out[i] = a[i] + b[i];
-    else if (op === "product") for (let i = 0; i < count; i++) out[i] = a[i] * b[i];
-    else if (op === "below") for (let i = 0; i < count; i++) out[i] = Number(a[i] < 0 || (value && a[i] === 0));
-    else if (op === "choice") for (let i = 0; i < count; i++) out[i] = a[i] ? b[i] : c[i];
-    else if (value === 2) for (let i = 0; i < count; i++) out[i] = a[i] * a[i];
-    else if (value === -1) for (let i = 0; i < count; i++) out[i] = 1 / a[i];
-    else if (Math.abs(value) === 0.5) for (let i = 0; i < count; i++) out[i] = Math.sqrt(value < 0 ? 1 / a[i] : a[i]);
-    else for (let i = 0, at = AT[op]; i < count; i++) out[i] = at(a[i], b ? b[i] : value);
-  }
-
-  /** Return a function of points, u and v, that computes nodes there. @param {FormulaNode[]} wanted */
-  function over(wanted) {
-    const order = in_order(wanted);
-    /** @param {Float64Array} u @param {Float64Array} v */
-    return (u, v) => {
-      const made = wanted.map(() => new Float64Array(u.length));
-      for (let start = 0; start < u.length; start += CHUNK) {
-        const count = Math.min(CHUNK, u.length - start);
-        const at = { u: u.subarray(start, start + count), v: v.subarray(start, start + count) };
-        for (const of of order) compute(of, count, at);
-        for (const [n, { out }] of wanted.entries())
-          made[n].set(/** @type {Float64Array} */ (out).subarray(0, count), start);
-      }
-      return made;
-    };
-  }
+  const { wanted, count, nodes_of, refused } = formula_of(h, { ku, kv });
 
   /** @type {Map<FormulaNode, number[]>} */
-  const ranges = new Map();
-  /** Between what numbers a node lies on the chart; throw where it is not shown to be finite. @param {FormulaNode} of @returns {number[]} */
-  function range(of) {
-    const known = ranges.get(of) ?? ends_of(of);
-    ranges.set(of, known);
-    if (known.every((end) => Math.abs(end) < LARGEST)) return known;
-    throw refused(`it, or a slope, is not shown to be finite and real on the chart: ${ADVICE}`, of.part);
-  }
+  const ranges = new Map(); // between what numbers a node lies on the chart
   /** @param {FormulaNode} of */
   function ends_of({ op, args, value }) {
-    const [a, b] = args.map(range).slice(op === "choice" ? 1 : 0);
-    if (op === "number") return [value, value];
-    if (op === "pi") return [Math.PI, Math.PI];
+    const [a, b] = args.map((part) => /** @type {number[]} */ (ranges.get(part))).slice(op === "choice" ? 1 : 0);
+    if (op === "number" || op === "pi") return [value, value];
     if (op === "u" || op === "v" || op === "below") return [0, 1];
     if (op === "sign") return [-1, 1];
     const [low, high] = a;
@@ -493,14 +439,68 @@ function own_field({ h = "", ku, kv }, kernel_over) {
     if ((op === "abs" || op === "power") && low < 0 && high > 0) ends.push(AT[op](0, value));
     for (const [sign, at] of Object.entries({ sinpi: [0.5, -0.5], cospi: [0, 1] }[op] ?? []))
       if (at + 2 * Math.ceil((low - at) / 2) <= high) ends.push(sign === "0" ? 1 : -1);
-    return ends.some(Number.isNaN) ? [NaN] : [min(...ends), max(...ends)];
+    return [Math.min(...ends), Math.max(...ends)]; // NaN if one of them is
+  }
+  for (const each of nodes_of(wanted.flat())) {
+    const ends = ends_of(each);
+    if (!ends.every((end) => Math.abs(end) < LARGEST))
+      throw refused(`it, or a slope, is not shown to be finite and real on the chart: ${ADVICE}`, each.part);
+    ranges.set(each, ends);
   }
 
-  [height, ...gradient].forEach(range);
-  const height_over = over([height]);
+  // WebAssembly's codes: 0x20 gets a local variable, 0x21 sets it, 0x22 does both; 0x28 loads an int32, 0x41 and 0x44 are
+  // constants; 0x6a adds, 0x6c multiplies, 0x49 compares; 0x03 begins a loop, 0x0d goes back to it, 0x0b ends it.
+  /** A number in WebAssembly's spelling, LEB128. @param {number} number @returns {number[]} */
+  const leb = (number) => (number < 128 ? [number] : [(number & 127) | 128, ...leb(number >> 7)]);
+  /** @param {number[]} bytes */
+  const sized = (bytes) => [...leb(bytes.length), ...bytes];
+  /** @param {number} value */
+  const constant = (value) => [0x44, ...new Uint8Array(Float64Array.of(value).buffer), ...codes.everywhere];
+  /** Where the points' numbers are in the array of this argument. @param {number} argument */
+  const address = (argument) => [0x20, 0, 0x28, 2, ...leb(8 * argument), 0x20, 1, 0x6a];
+  /** A node's local variable, after the function's argument and how far the points are. @param {FormulaNode} of */
+  const place = ({ id }) => leb(2 + id);
+  /** @param {FormulaNode} of */
+  const local = (of) => [0x20, ...place(of)];
+
+  /** What computes a node of its parts. @param {FormulaNode} of */
+  function code_of({ op, args, value }) {
+    const parts = args.flatMap(local);
+    if (op === "number" || op === "pi") return constant(value);
+    if (op === "u" || op === "v") return [...address(value), ...codes.load];
+    if (op === "below" && value) return [...parts, ...codes.at_most];
+    if (op !== "power") return [...parts, ...codes[op]];
+    const size = Math.abs(value);
+    const code = [...parts];
+    if (size === 0.5) code.push(...codes.root);
+    else if (size % 1) code.push(...codes.log, ...constant(size), ...codes.product, ...codes.exp);
+    else for (let n = 1; n < size; n++) code.push(...parts, ...codes.product);
+    return value < 0 ? [...constant(1), ...code, ...codes.quotient] : code;
+  }
+
+  /** A function over points, two at a time: of the address of int64 numbers, how many points, then addresses of u, of v, and for each node. @param {FormulaNode[]} wanted */
+  const body_of = (wanted) =>
+    sized([
+      ...[2, 1, 0x7f, ...leb(count), 0x7b, 0x03, 0x40],
+      ...nodes_of(wanted).flatMap((each) => [...code_of(each), 0x21, ...place(each)]),
+      ...wanted.flatMap((each, n) => [...address(3 + n), ...local(each), ...codes.store]),
+      ...[0x20, 1, 0x41, 16, 0x6a, 0x22, 1, 0x20, 0, 0x28, 2, 0, 0x41, 8, 0x6c, 0x49, 0x0d, 0, 0x0b, 0x0b]
+    ]);
+  const program = [
+    ...head,
+    ...[3, 4, 3, 0, 0, 0], // three functions
+    ...[7, 13, 3, ...wanted.flatMap((_, n) => [1, 0x30 + n, 0, functions + n])], // exported by their numbers
+    ...[10, ...sized([3, ...wanted.flatMap(body_of)])]
+  ];
+  const { exports } = new WebAssembly.Instance(new WebAssembly.Module(Uint8Array.from(program)), imports);
+  const [height, gradient, switches] = wanted.map(
+    ({ length }, n) =>
+      (/** @type {Float64Array} */ u, /** @type {Float64Array} */ v) =>
+        over_points(/** @type {any} */ (exports[n]), [2, length], u, v)
+  );
   const u = float64s(2 * GRID, (n) => Number(n >= GRID));
   const v = float64s(2 * GRID, (n) => (n % GRID) / (GRID - 1));
-  const [here] = height_over(u, v);
+  const [here] = height(u, v);
   const has_seam = here.subarray(GRID).some((there, n) => Math.abs(there - here[n]) > SEAM);
-  return { height: height_over, gradient: over(gradient), switches: over(switches), has_seam };
+  return { height, gradient, switches, has_seam };
 }

@@ -16,10 +16,12 @@ async function compiled_program(program) {
 /** One module of one program or several. @param {SimulatorData} data @param {...WebAssembly.Module} programs */
 async function simulator_module(data, ...programs) {
   const memory = new WebAssembly.Memory({ initial: 1 });
+  /** @type {Record<string, WebAssembly.ModuleImports>} */
   const imports = { env: { __linear_memory: memory } };
   const instances = await Promise.all(programs.map((program) => WebAssembly.instantiate(program, imports)));
-  /** @type {Record<string, (arguments_at: number) => void>} */
+  /** @type {Record<string, Compiled>} */
   const exported = Object.assign({}, ...instances.map((instance) => instance.exports));
+  Object.assign(imports.env, exported);
   const { eye, radius } = data.scene;
   const SURFACE = 3;
   const A = 1;
@@ -49,7 +51,7 @@ async function simulator_module(data, ...programs) {
   };
   const PAGE = 2 ** 16;
   const CHUNK = 512;
-  const MOST_COLUMNS = Math.max(...Object.values(data.kernels).map(([taken, made]) => taken + made));
+  const MOST_COLUMNS = 512; // more than a kernel has, or a formula creases: each takes five of its operations
   let top = 64; // an address of 0 is none
 
   /** @param {number} bytes */
@@ -116,36 +118,38 @@ async function simulator_module(data, ...programs) {
     return { level_at: put(level_at), threshold: put(Float64Array.of(0, ...thresholds, Infinity)) };
   }
 
-  /** @param {string} name @param {number[]} numbers */
-  function call(name, numbers) {
+  /** @param {Compiled} run @param {number[]} numbers */
+  function call(run, numbers) {
     integers(arguments_at, numbers.length).set(numbers.map(BigInt));
-    exported[name](arguments_at);
+    run(arguments_at);
   }
 
   /** @param {string[]} names @param {Record<string, number>} given */
   const in_order = (names, given) => names.map((name) => given[name] ?? 0);
 
   /**
-   * What a kernel makes of arrays, and of numbers that stand for arrays: the list of its outputs.
-   * @param {string} name
-   * @param {...(number | Float64Array)} inputs
+   * What a function over points makes of arrays, and of numbers that stand for arrays: the list of its outputs.
+   * @type {OverPoints}
    */
-  function kernel_over(name, ...inputs) {
-    const [taken, made] = data.kernels[name];
+  function over_points(run, [taken, made], ...inputs) {
     const [{ length } = { length: 1 }] = inputs.filter((input) => typeof input !== "number");
     const outputs = Array.from({ length: made }, () => new Float64Array(length));
+    const addresses = columns_at.slice(0, taken + made);
+    const columns = addresses.map((address) => floats(address, CHUNK));
     for (let start = 0; start < length; start += CHUNK) {
       const count = Math.min(CHUNK, length - start);
-      const columns = columns_at.map((address) => floats(address, count));
       for (const [n, input] of inputs.entries()) {
         if (typeof input === "number") columns[n].fill(input);
         else columns[n].set(input.subarray(start, start + count));
       }
-      call(name, [count, ...columns_at.slice(0, taken + made)]);
-      for (const [n, output] of outputs.entries()) output.set(columns[taken + n], start);
+      call(run, [count, ...addresses]);
+      for (const [n, output] of outputs.entries()) output.set(columns[taken + n].subarray(0, count), start);
     }
     return outputs;
   }
+
+  /** @param {string} name @param {...(number | Float64Array)} inputs */
+  const kernel_over = (name, ...inputs) => over_points(exported[name], data.kernels[name], ...inputs);
 
   /** What a kernel makes of numbers: the list of its outputs. @param {string} name @param {...number} inputs */
   const kernel = (name, ...inputs) => kernel_over(name, ...inputs).map(first_of);
@@ -179,7 +183,7 @@ async function simulator_module(data, ...programs) {
   function own_of(state) {
     if (state.field !== "own") return null;
     const key = [state.h, state.ku, state.kv].join();
-    if (key !== made_of) own = own_field(state, kernel_over);
+    if (key !== made_of) own = own_field(state, data.emitted, imports, over_points);
     made_of = key;
     return own;
   }
@@ -263,7 +267,7 @@ async function simulator_module(data, ...programs) {
       light_count: lights.length,
       counts: counts_at
     };
-    call(what, in_order(what === "draw_sloped" ? data.sloped : data.arguments, given));
+    call(exported[what], in_order(what === "draw_sloped" ? data.sloped : data.arguments, given));
   }
 
   /** What a drawing or a painting is told of the rows: all of them, or where A is. @param {Ground} stage */
@@ -385,7 +389,7 @@ async function simulator_module(data, ...programs) {
     const numbers = floats(numbers_at, data.numbers.length).fill(0);
     const [gain_at, largest, squares] = ["gain", "largest", "squares"].map((key) => data.numbers.indexOf(key));
     numbers[gain_at] = gain;
-    call(painter, in_order(data.painting, given));
+    call(exported[painter], in_order(data.painting, given));
     return { largest: numbers[largest], squares: numbers[squares] };
   }
 
@@ -611,13 +615,13 @@ async function simulator_module(data, ...programs) {
   /** The numbers of a plane on A's pixels, one after another. @param {Stage} stage @param {number} address */
   function on_a(stage, address) {
     const plane = plane_at(stage, address);
-    return Float64Array.from(stage.at, (i) => plane[i]);
+    return new Float64Array(stage.at).map((i) => plane[i]);
   }
 
   /** @param {Stage} stage */
   const angles_of = (stage, names = ANGLES) => names.map((name) => on_a(stage, stage.addresses[name]));
   /** @param {Stage} stage @returns {[Float64Array, Float64Array]} */
-  const points_of_a = (stage) => /** @type {any} */ (angles_of(stage, CHART));
+  const points_of_a = (stage) => /** @type {any} */ ((stage.points ??= angles_of(stage, CHART)));
 
   /**
    * h_u and h_v on A's pixels, whether they are drawn with a bump or not.

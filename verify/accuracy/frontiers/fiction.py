@@ -53,9 +53,9 @@ def angle_maps(frame: Frame) -> dict[str, np.ndarray]:
 
 
 @lru_cache
-def _outline(field):
+def _outline():
     """Return functions of (φ, β, u, k_u, k_v, e): the image radius of a displaced point, and its derivatives."""
-    displaced = 1 + beta * ordinary(HEIGHT_FIELDS[field].expression).xreplace({v: phi / np.pi})
+    displaced = 1 + beta * ordinary(HEIGHT_FIELDS["sine"].expression).xreplace({v: phi / np.pi})
     edge = parallel_radius[rho].xreplace({radius: displaced, sin_phi: sin(phi), cos_phi: cos(phi)})
     orders = {"f": edge, "p": diff(edge, phi), "pp": diff(edge, phi, 2), "b": diff(edge, beta),
               "bb": diff(edge, beta, 2), "pb": diff(edge, phi, beta)}  # fmt: skip
@@ -70,7 +70,7 @@ def silhouette_remainders(betas: Iterable[float]) -> np.ndarray:
     ρ_s + β ρ_β + β² (ρ_ββ − ρ_φβ²/ρ_φφ)/2 + …, the derivatives taken at cos φ = R/e. Sine, R = 1.
     """
     scene, azimuths = Scene(field="sine"), np.arange(96) / 96
-    of, rest = _outline(scene.field), (azimuths, scene.ku, scene.kv, scene.eye)
+    of, rest = _outline(), (azimuths, scene.ku, scene.kv, scene.eye)
     start = np.full(len(azimuths), np.arccos(1 / scene.eye))
     at_rest = {name: derivative(start, 0.0, *rest) for name, derivative in of.items()}
     square = (at_rest["bb"] - at_rest["pb"] ** 2 / at_rest["pp"]) / 2

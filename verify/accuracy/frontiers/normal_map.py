@@ -68,7 +68,7 @@ def apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return np.linalg.norm(a - b, axis=0)
 
 
-def errors(field: str, texels: Sequence[int] = TEXELS, eps: float = EPS) -> dict[str, np.ndarray]:
+def errors(field: str, texels: Sequence[int] = TEXELS) -> dict[str, np.ndarray]:
     """Return {name: array over `texels`} over the chart's sample: how far from the exact N' the fetched one is.
 
     symbolic, numeric: RMS of the map of exact gradients, and of central differences. between: RMS of one from the
@@ -77,7 +77,7 @@ def errors(field: str, texels: Sequence[int] = TEXELS, eps: float = EPS) -> dict
     scene, points, rows = Scene(field=field), sample(), []
     right = tangent_normal(scene, *points, exact())
     for n in texels:
-        maps = [baked(scene, n, method) for method in (exact(), central(eps))]
+        maps = [baked(scene, n, method) for method in (exact(), central(EPS))]
         one, other, coarse = (fetched(normals, *points) for normals in (*maps, from_bytes(in_bytes(maps[0]))))
         pairs = (one, right), (other, right), (one, other), (coarse, right)
         rows.append([*(rms(apart(*pair)) for pair in pairs), apart(one, right).max()])

@@ -6,7 +6,7 @@ Other people's libraries get the expression, and the value of the parameter if t
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from importlib.util import find_spec
 
 import mpmath
@@ -15,10 +15,12 @@ from numpy.typing import ArrayLike
 from sympy import lambdify
 
 from proofs.engine.half_turns import ordinary
+from proofs.engine.program import Program
 from proofs.formulas.finite_difference import central, central4
 from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from proofs.formulas.symbols import k_u, k_v, u, v
-from verify.benchmark.methods.compiled import compiled_loop
+from renderer.generate.kernels import function_of
+from renderer.machines.native import over_points
 from verify.evaluate.programs import algebraic_gradient, richardson
 
 FIELD, KU, KV = HEIGHT_FIELDS["sine"], 8.0, 4.0
@@ -120,22 +122,29 @@ def jax(_: None) -> Callable:
 
 
 @cache
-def _filled(count, value):
-    return np.full(count, value)
+def compiled(program: Program) -> Callable:
+    """Return a program as a compiled loop over points: a function of arrays, or numbers, for its inputs in order.
+
+    The wave numbers are constants of its code; no fast-math.
+    """
+    inputs = sorted(program.inputs, key=lambda s: s.name in WAVES)  # those that only a name gives come last
+    ordered = Program(program.name, inputs, program.definitions, program.outputs)
+    waves = {s.name: WAVES[s.name] for s in inputs if s.name in WAVES}
+    return partial(over_points, partial(function_of(ordered), **waves))
 
 
 def _difference(program):
-    """Return eps → the difference: ε is read beside the points, so that all steps run the same code."""
+    """Return eps → the difference: all steps run the same code."""
 
     def make(eps):
-        loop = compiled_loop(program(FIELD), **WAVES)  # here, or a call would be timed with the program's making
-        return lambda u, v: loop(u, v, _filled(len(u), eps))
+        loop = compiled(program(FIELD))  # here, or a call would be timed with the program's making
+        return lambda u, v: loop(u, v, eps)
 
     return make
 
 
 def _compiled(program):
-    return lambda _: compiled_loop(program, **WAVES)
+    return lambda _: compiled(program)
 
 
 ALGEBRAIC = algebraic_gradient(FIELD, KU, KV)
