@@ -1,8 +1,8 @@
 (* The algebraic gradient. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Claim.
+From Formal Require Import Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
@@ -14,8 +14,8 @@ Theorem algebraic_gradient__reciprocal : Statements.algebraic_gradient__reciproc
 Proof. red. intros. split; lines; lra. Qed.
 
 (* The powers of cos t + i sin t. *)
-Lemma de_moivre (t : R) (a b : nat -> R) : a 0%nat = 1 -> (forall n, a (S n) = a n * cos t - b n * sin t) -> b 0%nat = 0 ->
-  (forall n, b (S n) = b n * cos t + a n * sin t) -> forall n, a n = cos (INR n * t) /\ b n = sin (INR n * t).
+Lemma de_moivre t a b : a 0%nat = 1 -> (forall n, a (S n) = a n * cos t - b n * sin t) -> b 0%nat = 0 -> (forall n, b (S n) = b n * cos t + a n *
+  sin t) -> forall n, a n = cos (INR n * t) /\ b n = sin (INR n * t).
 Proof.
   intros A0 A B0 B n. induction n as [|n [C D]]; [cbn [INR]; rewrite Rmult_0_l, cos_0, sin_0; auto|].
   rewrite A, B, C, D, S_INR, Rmult_plus_distr_r, Rmult_1_l, cos_plus, sin_plus. split; ring.

@@ -8,52 +8,52 @@ Open Scope R_scope.
 Definition nearest_whole (t : R) : Z := Znearest (fun n => negb (Z.even n)) t.
 
 (* From 2^k up to 2^(k+1) float64 numbers are the multiples of their spacing 2^(k-52). *)
-Lemma spacing (k : Z) (x : R) : (-1022 <= k)%Z -> bpow radix2 k <= x < bpow radix2 (k + 1) -> cexp radix2 (FLT_exp (-1074) 53) x = (k - 52)%Z.
+Lemma spacing k x : (-1022 <= k)%Z -> bpow radix2 k <= x < bpow radix2 (k + 1) -> cexp radix2 (FLT_exp (-1074) 53) x = (k - 52)%Z.
 Proof.
-  intros K B. assert (P := bpow_gt_0 radix2 k). unfold cexp. rewrite (mag_unique radix2 _ (k + 1)); [unfold FLT_exp; lia|].
+  intros K B. pose proof bpow_gt_0 radix2 k as P. unfold cexp. rewrite (mag_unique radix2 _ (k + 1)); [unfold FLT_exp; lia|].
   replace (k + 1 - 1)%Z with k by ring. rewrite Rabs_pos_eq; lra.
 Qed.
-Lemma binade_of_multiple (k : Z) (t : R) : IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> bpow radix2 k <= t * bpow radix2 (k - 52) < bpow radix2 (k + 1).
+Lemma binade_of_multiple k t : IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> bpow radix2 k <= t * bpow radix2 (k - 52) < bpow radix2 (k + 1).
 Proof.
-  change (IZR (2 ^ 52)) with (bpow radix2 52). change (IZR (2 ^ 53)) with (bpow radix2 53). assert (S := bpow_gt_0 radix2 (k - 52)).
+  change (IZR (2 ^ 52)) with (bpow radix2 52). change (IZR (2 ^ 53)) with (bpow radix2 53). pose proof bpow_gt_0 radix2 (k - 52) as S.
   replace k with (52 + (k - 52))%Z at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z by ring. rewrite (bpow_plus _ 52), (bpow_plus _ 53). intro
     T. split; nra.
 Qed.
-Lemma rounded_in_binade (k : Z) (t : R) : (-1022 <= k)%Z -> IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> rounded (t * bpow radix2 (k - 52)) = IZR
-  (nearest_whole t) * bpow radix2 (k - 52).
+Lemma rounded_in_binade k t : (-1022 <= k)%Z -> IZR (2 ^ 52) <= t < IZR (2 ^ 53) -> rounded (t * bpow radix2 (k - 52)) = IZR (nearest_whole t) *
+  bpow radix2 (k - 52).
 Proof.
   intros K T. unfold rounded, round, F2R, scaled_mantissa. rewrite (spacing k) by (exact K || apply binade_of_multiple, T). cbn [Fnum Fexp]. unfold
     nearest_whole. do 3 f_equal.
   rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r. apply Rmult_1_r.
 Qed.
-Lemma multiple_in_binade (k : Z) (u : R) : (-1022 <= k)%Z -> float64 u -> bpow radix2 k <= u < bpow radix2 (k + 1) ->
-  exists m : Z, u = IZR m * bpow radix2 (k - 52) /\ (2 ^ 52 <= m < 2 ^ 53)%Z.
+Lemma multiple_in_binade k u : (-1022 <= k)%Z -> float64 u -> bpow radix2 k <= u < bpow radix2 (k + 1) -> exists m : Z, u = IZR m * bpow radix2 (k
+  - 52) /\ (2 ^ 52 <= m < 2 ^ 53)%Z.
 Proof.
   intros K F B. unfold float64, generic_format, F2R in F. rewrite (spacing k) in F by assumption. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F.
     exists m. split; [exact F|].
-  assert (S := bpow_gt_0 radix2 (k - 52)). replace k with (52 + (k - 52))%Z in B at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z in B by ring.
+  pose proof bpow_gt_0 radix2 (k - 52) as S. replace k with (52 + (k - 52))%Z in B at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z in B by ring.
     rewrite (bpow_plus _ 52), (bpow_plus _ 53) in B.
   split; [apply le_IZR | apply lt_IZR]; change (IZR (2 ^ 52)) with (bpow radix2 52); change (IZR (2 ^ 53)) with (bpow radix2 53); nra.
 Qed.
-Lemma nearest_inside (m : Z) (t : R) : Rabs t < / 2 -> nearest_whole (IZR m + t) = m.
+Lemma nearest_inside m t : Rabs t < / 2 -> nearest_whole (IZR m + t) = m.
 Proof. intro T. apply Znearest_imp. replace (IZR m + t - IZR m) with t by ring. exact T. Qed.
-Lemma nearest_tie (m : Z) : nearest_whole (IZR m + / 2) = if Z.even m then m else (m + 1)%Z.
+Lemma nearest_tie m : nearest_whole (IZR m + / 2) = if Z.even m then m else (m + 1)%Z.
 Proof.
   unfold nearest_whole, Znearest. rewrite (Zfloor_imp m), (Zceil_imp (m + 1)) by (rewrite ?plus_IZR, ?minus_IZR, ?plus_IZR; lra). rewrite Rcompare_Eq
     by ring. destruct (Z.even m); reflexivity.
 Qed.
 (* What a positive step of float64 is added to, or taken from, in units of the spacing s. *)
-Lemma float64_step (e : R) (j : Z) : float64 e -> 0 < e -> e <= bpow radix2 j -> (-1074 <= j)%Z.
+Lemma float64_step e j : float64 e -> 0 < e -> e <= bpow radix2 j -> (-1074 <= j)%Z.
 Proof.
-  intros F P L. destruct (float64_is_whole _ F) as [n N]. assert (S := bpow_gt_0 radix2 (-1074)). assert (0 < n)%Z by (apply lt_IZR; rewrite N in P; nra).
+  intros F P L. destruct (float64_is_whole _ F) as [n N]. pose proof bpow_gt_0 radix2 (-1074) as S. assert (0 < n)%Z by (apply lt_IZR; rewrite N
+    in P; nra).
   apply (le_bpow radix2). eapply Rle_trans; [|exact L]. rewrite N. assert (1 <= IZR n) by (apply IZR_le; lia). nra.
 Qed.
-Lemma half_spacing (k : Z) : bpow radix2 (k - 53) = bpow radix2 (k - 52) / 2.
+Lemma half_spacing k : bpow radix2 (k - 53) = bpow radix2 (k - 52) / 2.
 Proof. replace (k - 52)%Z with (k - 53 + 1)%Z by ring. rewrite (bpow_plus _ _ 1). change (bpow radix2 1) with 2. field. Qed.
 (* Both sums round back to u: the whole binade dies. *)
-Lemma stays (k : Z) (u e : R) : float64 u -> float64 e -> bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < e < bpow radix2 (k - 53) -> (u = bpow radix2
-  k -> e <= bpow radix2 (k - 54)) ->
-  rounded (e + u) = u /\ rounded (u - e) = u.
+Lemma stays k u e : float64 u -> float64 e -> bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < e < bpow radix2 (k - 53) -> (u = bpow radix2 k -> e
+  <= bpow radix2 (k - 54)) -> rounded (e + u) = u /\ rounded (u - e) = u.
 Proof.
   intros F E B [P L] A. assert (K : (-1021 <= k)%Z) by (generalize (float64_step e (k - 53) E P (Rlt_le _ _ L)); lia).
   destruct (multiple_in_binade k u) as (m & U & M); try assumption; [lia|]. set (s := bpow radix2 (k - 52)) in *. assert (S : 0 < s) by apply bpow_gt_0.
@@ -80,30 +80,32 @@ Proof.
       unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). reflexivity.
 Qed.
 (* The tie, epsilon = s/2: both sums round back where the significand m is even, and both move by s where it is odd. *)
-Lemma tied (k m : Z) : (-1022 <= k)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in let w := IZR m * s in
-  let moved := if Z.even m then 0 else s in rounded (s / 2 + w) = w + moved /\ rounded (w - s / 2) = w - moved.
+Lemma tied k m : (-1022 <= k)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in let w := IZR m * s in let moved := if Z.even m
+  then 0 else s in rounded (s / 2 + w) = w + moved /\ rounded (w - s / 2) = w - moved.
 Proof.
   intros K M s w moved. assert (A : IZR (2 ^ 52) + 1 <= IZR m <= IZR (2 ^ 53) - 2) by (rewrite <- plus_IZR, <- minus_IZR; split; apply IZR_le; lia).
-  replace (s / 2 + w) with ((IZR m + / 2) * s) by (unfold w; field). replace (w - s / 2) with ((IZR (m - 1) + / 2) * s) by (unfold w; rewrite minus_IZR; field).
+  replace (s / 2 + w) with ((IZR m + / 2) * s) by (unfold w; field). replace (w - s / 2) with ((IZR (m - 1) + / 2) * s) by (unfold w; rewrite
+    minus_IZR; field).
   unfold s. rewrite !rounded_in_binade, !nearest_tie, Z.even_sub by (lia || rewrite ?minus_IZR; lra). unfold moved, w, s.
   destruct (Z.even m); cbn [Bool.eqb Z.even]; rewrite ?Z.sub_add, ?plus_IZR, ?minus_IZR; split; ring.
 Qed.
-Lemma below_1 (k m : Z) : (k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in 0 < s < IZR m * s /\ IZR m * s + s < 1.
+Lemma below_1 k m : (k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in 0 < s < IZR m * s /\ IZR m * s + s < 1.
 Proof.
   intros K M s. assert (S : 0 < s) by apply bpow_gt_0. assert (T : s <= bpow radix2 (-53)) by (apply bpow_le; lia). assert (A : 1 < IZR m) by (apply
     IZR_lt; lia). split; [split; nra|].
   assert (B : IZR m + 1 < IZR (2 ^ 53)) by (rewrite <- plus_IZR; apply IZR_lt; lia). apply Rlt_le_trans with (IZR (2 ^ 53) * s); [nra|].
-  apply Rle_trans with (bpow radix2 53 * bpow radix2 (-53)); [apply Rmult_le_compat_l; [apply bpow_ge_0 | exact T] | rewrite <- bpow_plus; right; reflexivity].
+  apply Rle_trans with (bpow radix2 53 * bpow radix2 (-53)); [apply Rmult_le_compat_l; [apply bpow_ge_0 | exact T] | rewrite <- bpow_plus; right;
+    reflexivity].
 Qed.
 
 (* The arguments, as they are printed. *)
-Lemma not_wrapped (x : R) : 0 <= rounded x < 1 -> rounded (rounded x - whole_below (rounded x)) = rounded x.
+Lemma not_wrapped x : 0 <= rounded x < 1 -> rounded (rounded x - whole_below (rounded x)) = rounded x.
 Proof.
   intro B. unfold whole_below. rewrite (Zfloor_imp 0) by (simpl; lra). rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
 
-Lemma arguments_in_v (v e : R) : float64 e -> rounded (e + v) <= 1 -> 0 <= rounded (v - e) ->
-  central_any_float64.v_plus v e = rounded (e + v) /\ central_any_float64.v_minus v e = rounded (v - e) /\ central_any_float64.span_v v e = 2 * e.
+Lemma arguments_in_v v e : float64 e -> rounded (e + v) <= 1 -> 0 <= rounded (v - e) -> central_any_float64.v_plus v e = rounded (e + v) /\
+  central_any_float64.v_minus v e = rounded (v - e) /\ central_any_float64.span_v v e = 2 * e.
 Proof.
   intros E A B. central_any_float64.lines. rewrite Rmin_right, Rmax_right by assumption.
   split; [reflexivity | split; [reflexivity|]]. destruct (both _ _) as [_|N]; [apply kept, twice_float64, E|]. exfalso.
@@ -111,17 +113,16 @@ Proof.
 Qed.
 Ltac unfold_difference := unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v,
   central_any_float64.h_v_plus, central_any_float64.h_v_minus.
-Lemma none_in_u (height : R -> R -> R -> R -> R) (w v k_u k_v e : R) : 0 <= w < 1 -> rounded (e + w) = w /\ rounded (w - e) = w ->
-  central_any_float64.u_plus w e = w /\ central_any_float64.u_minus w e = w /\ central_any_float64.h_u height w v k_u k_v e = 0.
+Lemma none_in_u height w v k_u k_v e : 0 <= w < 1 -> rounded (e + w) = w /\ rounded (w - e) = w -> central_any_float64.u_plus w e = w /\
+  central_any_float64.u_minus w e = w /\ central_any_float64.h_u height w v k_u k_v e = 0.
 Proof.
   intros B [P M]. assert (P' : central_any_float64.u_plus w e = w) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial).
   assert (M' : central_any_float64.u_minus w e = w) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite M; trivial).
   split; [exact P' | split; [exact M'|]]. unfold_difference.
   rewrite P', M', Rminus_diag_eq, rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
 Qed.
-Lemma none_in_v (height : R -> R -> R -> R -> R) (u w k_u k_v e : R) : 0 <= w <= 1 -> float64 e -> rounded (e + w) = w /\ rounded (w - e) = w ->
-  central_any_float64.v_plus w e = w /\ central_any_float64.v_minus w e = w /\ central_any_float64.span_v w e = 2 * e /\ central_any_float64.h_v
-    height u w k_u k_v e = 0.
+Lemma none_in_v height u w k_u k_v e : 0 <= w <= 1 -> float64 e -> rounded (e + w) = w /\ rounded (w - e) = w -> central_any_float64.v_plus w e =
+  w /\ central_any_float64.v_minus w e = w /\ central_any_float64.span_v w e = 2 * e /\ central_any_float64.h_v height u w k_u k_v e = 0.
 Proof.
   intros B E [P M]. destruct (arguments_in_v w e E) as (P' & M' & S'); [lra | lra|]. rewrite P in P'. rewrite M in M'.
   repeat split; try assumption. unfold_difference.
@@ -130,38 +131,40 @@ Qed.
 
 (* u, epsilon > 0: float64, u from 2^k up to 2^(k+1) and below 1, s = 2^(k-52). Where epsilon < s/2, and epsilon <= s/4 at u = 2^k, the
    slope is 0, whatever the height. *)
-Theorem binades__dies_in_u (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z) : (k <= -1)%Z -> float64 u -> float64 epsilon ->
-  bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)) ->
-  central_any_float64.u_plus u epsilon = u /\ central_any_float64.u_minus u epsilon = u /\ central_any_float64.h_u height u v k_u k_v epsilon = 0.
+Theorem binades__dies_in_u height u v k_u k_v epsilon k : (k <= -1)%Z -> float64 u -> float64 epsilon -> bpow radix2 k <= u < bpow radix2 (k + 1)
+  -> 0 < epsilon < bpow radix2 (k - 53) -> (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)) -> central_any_float64.u_plus u epsilon = u /\
+  central_any_float64.u_minus u epsilon = u /\ central_any_float64.h_u height u v k_u k_v epsilon = 0.
 Proof.
   intros K F E B L A. apply none_in_u; [|exact (stays k u epsilon F E B L A)].
   generalize (bpow_gt_0 radix2 k) (bpow_le radix2 (k + 1) 0 ltac:(lia)). simpl (bpow radix2 0). lra.
 Qed.
 (* In v the same, up to v = 1 = 2^0 itself; the span is 2 epsilon and not 0. *)
-Theorem binades__dies_in_v (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z) : v <= 1 -> float64 v -> float64 epsilon ->
-  bpow radix2 k <= v < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)) ->
-  central_any_float64.v_plus v epsilon = v /\ central_any_float64.v_minus v epsilon = v /\ central_any_float64.span_v v epsilon = 2 * epsilon /\
-  central_any_float64.h_v height u v k_u k_v epsilon = 0.
+Theorem binades__dies_in_v height u v k_u k_v epsilon k : v <= 1 -> float64 v -> float64 epsilon -> bpow radix2 k <= v < bpow radix2 (k + 1) -> 0
+  < epsilon < bpow radix2 (k - 53) -> (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)) -> central_any_float64.v_plus v epsilon = v /\
+  central_any_float64.v_minus v epsilon = v /\ central_any_float64.span_v v epsilon = 2 * epsilon /\ central_any_float64.h_v height u v k_u k_v
+  epsilon = 0.
 Proof. intros O F E B L A. apply none_in_v; [generalize (bpow_gt_0 radix2 k); lra | exact E | exact (stays k v epsilon F E B L A)]. Qed.
 
 (* At the tie even significands m die, too; odd ones move by s, and the slope of h = u, or h = v, which is 1, is 2 just before it dies. *)
-Lemma power_float64 (e : Z) : (-1074 <= e)%Z -> float64 (bpow radix2 e).
+Lemma power_float64 e : (-1074 <= e)%Z -> float64 (bpow radix2 e).
 Proof. intro E. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
-Theorem binades__tie (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z) : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
-  let w := IZR m * bpow radix2 (k - 52) in let epsilon := bpow radix2 (k - 53) in
-  if Z.even m then central_any_float64.h_u height w c k_u k_v epsilon = 0 /\ central_any_float64.h_v height c w k_u k_v epsilon = 0
-  else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
-    central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = 2 /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = 2.
+Theorem binades__tie height c k_u k_v k m : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let w := IZR m * bpow radix2 (k - 52) in let
+  epsilon := bpow radix2 (k - 53) in if Z.even m then central_any_float64.h_u height w c k_u k_v epsilon = 0 /\ central_any_float64.h_v height c w
+  k_u k_v epsilon = 0 else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
+  central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = 2 /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = 2.
 Proof.
-  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. assert (T
-    := tied k m ltac:(lia) M).
+  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. pose
+    proof tied k m ltac:(lia) M as T.
   cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by
     (unfold epsilon; rewrite half_spacing; field).
   destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
-  assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial; lra).
-  assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite N; trivial; lra).
+  assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P;
+    trivial; lra).
+  assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite N;
+    trivial; lra).
   destruct (arguments_in_v w epsilon F) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
-  assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F))); f_equal; ring).
+  assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F)));
+    f_equal; ring).
   assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
   unfold_difference.
   rewrite P', N', P'', N'', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split;
@@ -169,13 +172,14 @@ Proof.
 Qed.
 
 (* The pole v = 0 keeps all of the slope: v - epsilon is clamped to 0, and the span is epsilon. *)
-Theorem binades__pole (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= 1 ->
-  central_any_float64.v_plus 0 epsilon = epsilon /\ central_any_float64.v_minus 0 epsilon = 0 /\ central_any_float64.span_v 0 epsilon = epsilon /\
-  central_any_float64.h_v height u 0 k_u k_v epsilon = rounded (rounded (height u epsilon k_u k_v - height u 0 k_u k_v) / epsilon).
+Theorem binades__pole height u k_u k_v epsilon : float64 epsilon -> 0 < epsilon <= 1 -> central_any_float64.v_plus 0 epsilon = epsilon /\
+  central_any_float64.v_minus 0 epsilon = 0 /\ central_any_float64.span_v 0 epsilon = epsilon /\ central_any_float64.h_v height u 0 k_u k_v
+  epsilon = rounded (rounded (height u epsilon k_u k_v - height u 0 k_u k_v) / epsilon).
 Proof.
   intros E B. assert (P : central_any_float64.v_plus 0 epsilon = epsilon) by (unfold central_any_float64.v_plus; rewrite Rplus_0_r, (kept _ E),
     Rmin_right; lra).
-  assert (M : central_any_float64.v_minus 0 epsilon = 0) by (unfold central_any_float64.v_minus; rewrite Rminus_0_l, rounded_opp, (kept _ E), Rmax_left; lra).
+  assert (M : central_any_float64.v_minus 0 epsilon = 0) by (unfold central_any_float64.v_minus; rewrite Rminus_0_l, rounded_opp, (kept _ E),
+    Rmax_left; lra).
   assert (S : central_any_float64.span_v 0 epsilon = epsilon).
   { unfold central_any_float64.span_v. rewrite P, M, Rplus_0_r, Rminus_0_r, (kept _ E). destruct (both _ _) as [[]|_]; [lra | reflexivity]. }
   repeat split; try assumption. unfold_difference. rewrite P, M, S. reflexivity.
@@ -183,7 +187,7 @@ Qed.
 
 (* The seam u = 0 keeps half of it: u - epsilon wraps to 1, not to a number below it, and where h is the same at 1 and at 0 the slope is half of the one-sided
    difference (h(epsilon) - h(0))/epsilon, as float64 computes that. *)
-Lemma half_float64 (x : R) : bpow radix2 (-1021) <= Rabs x -> rounded (/ 2 * x) = / 2 * rounded x.
+Lemma half_float64 x : bpow radix2 (-1021) <= Rabs x -> rounded (/ 2 * x) = / 2 * rounded x.
 Proof.
   intro L. assert (N : x <> 0) by (intro Z; rewrite Z, Rabs_R0 in L; generalize (bpow_gt_0 radix2 (-1021)); lra).
   assert (M : mag radix2 (/ 2 * x) = (mag radix2 x + -1)%Z :> Z) by (rewrite Rmult_comm; exact (mag_mult_bpow radix2 x (-1) N)).
@@ -193,11 +197,10 @@ Proof.
   change (bpow radix2 (- -1)) with 2. change (bpow radix2 (-1)) with (/ 2). replace (/ 2 * x * _) with (x * bpow radix2 (- cexp radix2 (FLT_exp
     (-1074) 53) x)) by field. field.
 Qed.
-Theorem binades__seam (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R) : float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
-  let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in height 1 v k_u k_v = height 0 v k_u k_v -> rise = 0 \/ bpow radix2 (-1021) <=
-    Rabs rise ->
-  central_any_float64.u_plus 0 epsilon = epsilon /\ central_any_float64.u_minus 0 epsilon = 1 /\
-  central_any_float64.h_u height 0 v k_u k_v epsilon = / 2 * rounded (rise / epsilon).
+Theorem binades__seam height v k_u k_v epsilon : float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) -> let rise := rounded (height epsilon v k_u
+  k_v - height 0 v k_u k_v) in height 1 v k_u k_v = height 0 v k_u k_v -> rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
+  central_any_float64.u_plus 0 epsilon = epsilon /\ central_any_float64.u_minus 0 epsilon = 1 /\ central_any_float64.h_u height 0 v k_u k_v
+  epsilon = / 2 * rounded (rise / epsilon).
 Proof.
   intros E B rise H R. assert (L : bpow radix2 (-54) < 1) by (apply (bpow_lt radix2 (-54) 0); easy).
   assert (P : central_any_float64.u_plus 0 epsilon = epsilon) by (unfold central_any_float64.u_plus; rewrite Rplus_0_r, not_wrapped; rewrite (kept _
@@ -222,32 +225,32 @@ Qed.
 
 (* Values that the hypotheses have, and false variants: at the tie not every slope dies, nor does it below 2^k: at the pole and at the seam, which does not
    keep all of it. *)
-Theorem binades__dies_in_u__point : exists (u epsilon : R) (k : Z), (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
+Theorem binades__dies_in_u__point : exists u epsilon k, (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
   exists (bpow radix2 (-1)), (bpow radix2 (-55)), (-1)%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy;
     intros; right; reflexivity.
 Qed.
-Theorem binades__dies_in_v__point : exists (v epsilon : R) (k : Z), v <= 1 /\ float64 v /\ float64 epsilon /\ bpow radix2 k <= v < bpow radix2 (k + 1) /\
-  0 < epsilon < bpow radix2 (k - 53) /\ (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
+Theorem binades__dies_in_v__point : exists v epsilon k, v <= 1 /\ float64 v /\ float64 epsilon /\ bpow radix2 k <= v < bpow radix2 (k + 1) /\ 0 <
+  epsilon < bpow radix2 (k - 53) /\ (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
   exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros;
     right; reflexivity.
 Qed.
 Theorem binades__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 < m < 2 ^ 53 - 1)%Z /\ Z.even m = true.
 Proof. exists (-1)%Z, (2 ^ 52 + 2)%Z. easy. Qed.
-Theorem binades__tie__false : ~ forall (height : R -> R -> R -> R -> R) (c k_u k_v : R) (k m : Z), (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z ->
-  central_any_float64.h_u height (IZR m * bpow radix2 (k - 52)) c k_u k_v (bpow radix2 (k - 53)) = 0.
+Theorem binades__tie__false : ~ forall height c k_u k_v k m, (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> central_any_float64.h_u height
+  (IZR m * bpow radix2 (k - 52)) c k_u k_v (bpow radix2 (k - 53)) = 0.
 Proof.
   intro H. generalize (H (fun u _ _ _ => u) 0 0 0 (-1)%Z (2 ^ 52 + 3)%Z ltac:(easy) ltac:(easy)).
   destruct (binades__tie (fun u _ _ _ => u) 0 0 0 (-1) (2 ^ 52 + 3) ltac:(easy) ltac:(easy)) as (_ & _ & -> & _). lra.
 Qed.
-Theorem binades__pole__point : exists epsilon : R, float64 epsilon /\ 0 < epsilon <= 1.
+Theorem binades__pole__point : exists epsilon, float64 epsilon /\ 0 < epsilon <= 1.
 Proof. exists (bpow radix2 0). split; [apply power_float64; easy | simpl; lra]. Qed.
-Theorem binades__pole__false : ~ forall (height : R -> R -> R -> R -> R) (u k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
-  central_any_float64.h_v height u 0 k_u k_v epsilon = 0.
+Theorem binades__pole__false : ~ forall height u k_u k_v epsilon, float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) -> central_any_float64.h_v
+  height u 0 k_u k_v epsilon = 0.
 Proof.
-  intro H. assert (E : float64 (bpow radix2 (-54))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-54)). assert (L : bpow radix2
+  intro H. assert (E : float64 (bpow radix2 (-54))) by (apply power_float64; easy). pose proof bpow_gt_0 radix2 (-54) as P. assert (L : bpow radix2
     (-54) <= 1) by (apply (bpow_le radix2 (-54) 0); easy).
   generalize (H (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E ltac:(lra)). destruct (binades__pole (fun _ v _ _ => v) 0 0 0 (bpow radix2 (-54)) E
     ltac:(lra)) as (_ & _ & _ & ->).
@@ -256,30 +259,29 @@ Qed.
 Theorem binades__seam__point : exists (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon /\ 0 < epsilon < bpow radix2 (-54) /\
   height 1 v k_u k_v = height 0 v k_u k_v /\ rounded (height epsilon v k_u k_v - height 0 v k_u k_v) = epsilon /\ bpow radix2 (-1021) <= Rabs epsilon.
 Proof.
-  assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). assert (P := bpow_gt_0 radix2 (-55)). assert (Q := bpow_lt radix2 (-55)
-    (-54) ltac:(easy)). assert (L : bpow radix2 (-55) < 1) by (apply (bpow_lt radix2 (-55) 0); easy).
+  assert (E : float64 (bpow radix2 (-55))) by (apply power_float64; easy). pose proof bpow_gt_0 radix2 (-55) as P. pose proof bpow_lt radix2 (-55)
+    (-54) ltac:(easy) as Q. assert (L : bpow radix2 (-55) < 1) by (apply (bpow_lt radix2 (-55) 0); easy).
   exists (fun u _ _ _ => if Rlt_dec u 1 then u else 0), 0, 0, 0, (bpow radix2 (-55)). cbv beta.
   destruct (Rlt_dec 1 1), (Rlt_dec 0 1), (Rlt_dec (bpow radix2 (-55)) 1); try lra. rewrite Rminus_0_r, (kept _ E), Rabs_pos_eq by lra.
   repeat split; try trivial; try lra. apply bpow_le. easy.
 Qed.
-Theorem binades__seam__false : ~ forall (height : R -> R -> R -> R -> R) (v k_u k_v epsilon : R), float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) ->
-  height 1 v k_u k_v = height 0 v k_u k_v -> let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in rise = 0 \/ bpow radix2 (-1021) <=
-    Rabs rise ->
+Theorem binades__seam__false : ~ forall height v k_u k_v epsilon, float64 epsilon -> 0 < epsilon <= bpow radix2 (-54) -> height 1 v k_u k_v =
+  height 0 v k_u k_v -> let rise := rounded (height epsilon v k_u k_v - height 0 v k_u k_v) in rise = 0 \/ bpow radix2 (-1021) <= Rabs rise ->
   central_any_float64.h_u height 0 v k_u k_v epsilon = rounded (rise / epsilon).
 Proof.
-  intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). assert (B := conj P (Rlt_le _ _ Q)).
+  intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & [P Q] & S & R & N). pose proof conj P (Rlt_le _ _ Q) as B.
     generalize (H height v k_u k_v epsilon E B S).
   destruct (binades__seam height v k_u k_v epsilon E B S) as (_ & _ & ->); rewrite R; [right; exact N|]. cbv zeta. intro K. specialize (K (or_intror N)).
   unfold Rdiv in K. rewrite Rinv_r, rounded_1 in K by lra. lra.
 Qed.
-Theorem binades__dies_in_v__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), v <= 1 -> float64 v -> float64 epsilon ->
-  0 <= v < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_v height u v k_u k_v epsilon = 0.
+Theorem binades__dies_in_v__false : ~ forall height u v k_u k_v epsilon k, v <= 1 -> float64 v -> float64 epsilon -> 0 <= v < bpow radix2 (k + 1)
+  -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_v height u v k_u k_v epsilon = 0.
 Proof.
-  intro H. apply binades__pole__false. intros height u k_u k_v epsilon E B. assert (L := bpow_lt radix2 (-54) (0 - 53) ltac:(easy)).
+  intro H. apply binades__pole__false. intros height u k_u k_v epsilon E B. pose proof bpow_lt radix2 (-54) (0 - 53) ltac:(easy) as L.
   apply (H height u 0 k_u k_v epsilon 0%Z); [lra | apply generic_format_0 | exact E | split; [lra | apply bpow_gt_0] | lra].
 Qed.
-Theorem binades__dies_in_u__false : ~ forall (height : R -> R -> R -> R -> R) (u v k_u k_v epsilon : R) (k : Z), (k <= -1)%Z -> float64 u -> float64 epsilon ->
-  0 <= u < bpow radix2 (k + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_u height u v k_u k_v epsilon = 0.
+Theorem binades__dies_in_u__false : ~ forall height u v k_u k_v epsilon k, (k <= -1)%Z -> float64 u -> float64 epsilon -> 0 <= u < bpow radix2 (k
+  + 1) -> 0 < epsilon < bpow radix2 (k - 53) -> central_any_float64.h_u height u v k_u k_v epsilon = 0.
 Proof.
   intro H. destruct binades__seam__point as (height & v & k_u & k_v & epsilon & E & B & S & R & N).
   generalize (H height 0 v k_u k_v epsilon (-1)%Z ltac:(easy) (generic_format_0 _ _) E ltac:(split; [lra | apply bpow_gt_0]) B).

@@ -1,12 +1,12 @@
 (* The printed claims about the bumped normal: its length, its angle to N, normalising, small and large beta, its derivative, shadow lines. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Claim Derivatives.
+From Formal Require Import Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
-Lemma three_squares (x y z : R) : 0 <= x * x + y * y + z * z.
+Lemma three_squares x y z : 0 <= x * x + y * y + z * z.
 Proof. nra. Qed.
 Ltac direct := first [assumption | lra | nra | apply Rgt_not_eq; lra].
 (* M = N + beta g where N is a unit vector and g is tangent: |M|^2 = 1 + beta^2 |g|^2, N.N' = 1/|M|, |N'| = 1. *)
@@ -31,7 +31,8 @@ Proof.
   red. intros. bump. rewrite I.
   assert (A : (bumped_y * normal_x - bumped_x * normal_y) * (bumped_y * normal_x - bumped_x * normal_y) + (bumped_x * normal_z - bumped_z * normal_x)
     * (bumped_x * normal_z - bumped_z * normal_x) +
-    (bumped_z * normal_y - bumped_y * normal_z) * (bumped_z * normal_y - bumped_y * normal_z) = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) * m_scale ^ 2).
+    (bumped_z * normal_y - bumped_y * normal_z) * (bumped_z * normal_y - bumped_y * normal_z) = beta ^ 2 * (g_z * g_z + g_x * g_x + g_y * g_y) *
+      m_scale ^ 2).
   { transitivity ((bumped_z * bumped_z + bumped_x * bumped_x + bumped_y * bumped_y) * (normal_z * normal_z + normal_x * normal_x + normal_y * normal_y) -
     (bumped_z * normal_z + bumped_x * normal_x + bumped_y * normal_y) ^ 2); [ring|].
   rewrite U, H, I. replace (1 * 1) with ((m_length * m_scale) ^ 2) by (rewrite K; ring). rewrite Rpow_mult_distr, L. ring. }
@@ -66,7 +67,7 @@ Proof.
 Qed.
 
 (* w = |beta| |g|. *)
-Lemma swing_of (g2 beta w : R) : 0 <= g2 -> w = sqrt g2 * Rabs beta -> w ^ 2 = beta ^ 2 * g2 /\ w >= 0.
+Lemma swing_of g2 beta w : 0 <= g2 -> w = sqrt g2 * Rabs beta -> w ^ 2 = beta ^ 2 * g2 /\ w >= 0.
 Proof.
   intros G ->. split; [rewrite Rpow_mult_distr, pow2_sqrt, pow2_abs by exact G; ring | apply Rle_ge, Rmult_le_pos; [apply sqrt_pos | apply Rabs_pos]].
 Qed.
@@ -104,17 +105,19 @@ Proof.
   each direct.
 Qed.
 
-Lemma far (l w q : R) : l ^ 2 = 1 + w ^ 2 -> 0 < w -> 0 <= l -> 0 <= q -> l * q = 2 * (l - w) ->
-  l >= w /\ l * (l + w) * q = 2 /\ 1 >= w ^ 2 * q /\ 1 >= w * sqrt q.
+Lemma far l w q : l ^ 2 = 1 + w ^ 2 -> 0 < w -> 0 <= l -> 0 <= q -> l * q = 2 * (l - w) -> l >= w /\ l * (l + w) * q = 2 /\ 1 >= w ^ 2 * q /\ 1 >=
+  w * sqrt q.
 Proof.
   intros L W P Q E. assert (A : w <= l) by nra. assert (T : l * (l + w) * q = 2) by (transitivity ((l + w) * (l * q)); [ring | rewrite E; lra]).
   assert (B : w ^ 2 * q <= 1) by (assert (w * w * q <= l * (l + w) / 2 * q) by (apply Rmult_le_compat_r; nra); lra).
   repeat split; try lra. apply Rle_ge. rewrite <- (sqrt_pow2 w), <- sqrt_mult, <- sqrt_1 by nra. apply sqrt_le_1_alt, B.
 Qed.
 (* How far N' is from side g/|g|, where side beta = |beta|. *)
-Ltac far_away side := match goal with U : ?bz * ?bz + ?bx * ?bx + ?by_ * ?by_ = 1, K : ?l * ?s = 1, L : ?l ^ 2 = _, T : ?gz * ?nz + ?gx * ?nx + ?gy * ?ny = 0,
+Ltac far_away side := match goal with U : ?bz * ?bz + ?bx * ?bx + ?by_ * ?by_ = 1, K : ?l * ?s = 1, L : ?l ^ 2 = _, T : ?gz * ?nz + ?gx * ?nx + ?gy
+  * ?ny = 0,
   V : ?w = sqrt ?x * Rabs ?beta |- _ =>
-  set (g2 := x) in *; assert (R0 : 0 < sqrt g2) by (apply sqrt_lt_R0; lra); assert (R2 : sqrt g2 ^ 2 = g2) by (apply pow2_sqrt; lra); set (r := sqrt g2) in *;
+  set (g2 := x) in *; assert (R0 : 0 < sqrt g2) by (apply sqrt_lt_R0; lra); assert (R2 : sqrt g2 ^ 2 = g2) by (apply pow2_sqrt; lra); set (r :=
+    sqrt g2) in *;
   assert (A : Rabs beta = side * beta) by (cases; lra); assert (W0 : 0 < w) by (rewrite V, A; apply Rmult_lt_0_compat; lra);
   destruct (swing_of g2 beta w) as [W2 _]; [lra | exact V |];
   assert (J : bz * side * gz / r + bx * side * gx / r + by_ * side * gy / r = s * w) by
@@ -130,14 +133,14 @@ Proof. red. intros. bump. far_away 1. each direct. Qed.
 Theorem normal_limits__large_negative_beta : Statements.normal_limits__large_negative_beta.
 Proof. red. intros. bump. far_away (-1). each direct. Qed.
 
-
 Ltac length_of l := match goal with l := sqrt ?q |- _ => assert (P : 0 < q) by lra; assert (L : 0 < l) by (apply sqrt_lt_R0, P);
   assert (Q : q = l ^ 2) by (unfold l; rewrite pow2_sqrt; lra) end.
 Theorem normal_by_beta__derivative : Statements.normal_by_beta__derivative.
 Proof.
   red. intros. assert (P : 0 < m_x ^ 2 + m_y ^ 2 + m_z ^ 2) by lra. assert (r0 : 0 < m_length) by (apply sqrt_lt_R0; exact P).
   assert (r2 : m_length ^ 2 = m_x ^ 2 + m_y ^ 2 + m_z ^ 2) by (apply pow2_sqrt; lra).
-  assert (D : forall g n, is_derive (fun b : R => (b * g + n) / sqrt ((b * g_x + normal_x) ^ 2 + (b * g_y + normal_y) ^ 2 + (b * g_z + normal_z) ^ 2)) beta
+  assert (D : forall g n, is_derive (fun b : R => (b * g + n) / sqrt ((b * g_x + normal_x) ^ 2 + (b * g_y + normal_y) ^ 2 + (b * g_z + normal_z) ^
+    2)) beta
     ((g - m_scale * (beta * g + n) * (bumped_x * g_x + bumped_y * g_y + bumped_z * g_z)) / m_length)).
   { intros. auto_derive; simpl in *; fold m_x m_y m_z; fold m_length; [repeat split; lra|]. unfold bumped_x, bumped_y, bumped_z, m_scale.
     field_simplify_eq; [|lra].

@@ -1,6 +1,6 @@
 (* The camera: what the proofs about sphere A share, the true angles, creases, the pixels beside the pole, what is drawn. *)
 
-From Coq Require Import Reals Lra Lia Psatz.
+From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas.
 Open Scope R_scope.
@@ -137,17 +137,13 @@ Qed.
 (* Off the pole the point hit is R (sin phi cos theta, sin phi sin theta, cos phi) for two angles, whose cosines and
    sines are those of the program: cos theta = x / rho, sin theta = y / rho, sin phi = t rho / R > 0,
    cos phi = e (1 - t) / R. *)
-Theorem stable_frame__true_angles (x y e r : R) : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
-  let rho := sqrt (x ^ 2 + y ^ 2) in
-  exists t theta phi, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ - PI < theta <= PI /\ 0 < phi < PI /\
-  (cos theta = angles_on_a.cos_theta x y e /\ sin theta = angles_on_a.sin_theta x y e /\
-   cos phi = angles_on_a.cos_phi x y e r /\ sin phi = angles_on_a.sin_phi x y e r) /\
-  (t * x = point_on_a.point_x (cos theta) (sin phi) r /\ t * y = point_on_a.point_y (sin theta) (sin phi) r /\
-   e * (1 - t) = point_on_a.point_z (cos phi) r) /\
-  (point_on_a.point_x (cos theta) (sin phi) r = r * (sin phi * cos theta) /\
-   point_on_a.point_y (sin theta) (sin phi) r = r * (sin phi * sin theta) /\
-   point_on_a.point_z (cos phi) r = r * cos phi) /\
-  cos theta = x / rho /\ sin theta = y / rho /\ sin phi = t * rho / r /\ 0 < sin phi /\ cos phi = e * (1 - t) / r.
+Theorem stable_frame__true_angles x y e r : 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r -> let rho := sqrt (x ^ 2 + y ^ 2)
+  in exists t theta phi, hit_of_a.t_a x y e r = Finite t /\ on_a t x y e r /\ - PI < theta <= PI /\ 0 < phi < PI /\ (cos theta =
+  angles_on_a.cos_theta x y e /\ sin theta = angles_on_a.sin_theta x y e /\ cos phi = angles_on_a.cos_phi x y e r /\ sin phi = angles_on_a.sin_phi
+  x y e r) /\ (t * x = point_on_a.point_x (cos theta) (sin phi) r /\ t * y = point_on_a.point_y (sin theta) (sin phi) r /\ e * (1 - t) =
+  point_on_a.point_z (cos phi) r) /\ (point_on_a.point_x (cos theta) (sin phi) r = r * (sin phi * cos theta) /\ point_on_a.point_y (sin theta)
+  (sin phi) r = r * (sin phi * sin theta) /\ point_on_a.point_z (cos phi) r = r * cos phi) /\ cos theta = x / rho /\ sin theta = y / rho /\ sin
+  phi = t * rho / r /\ 0 < sin phi /\ cos phi = e * (1 - t) / r.
 Proof.
   intros H O D rho. pose proof (off_axis_pos x y e ltac:(lra) O) as P. pose proof (sqrt_lt_R0 _ P) as Q.
   pose proof (sqrt_sqrt _ (Rlt_le _ _ P)) as S. fold rho in Q, S.
@@ -179,9 +175,8 @@ Theorem stable_frame__true_angles__point : exists x y e r,
 Proof. exists (1 / 2), 0, 4, 1. destruct point_a as (H & O & D). repeat split; try lra; exact O. Qed.
 
 (* Not cos phi = e t / R. *)
-Theorem stable_frame__true_angles__false : ~ forall x y e r : R,
-  0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r ->
-  exists t, hit_of_a.t_a x y e r = Finite t /\ angles_on_a.cos_phi x y e r = e * t / r.
+Theorem stable_frame__true_angles__false : ~ forall x y e r, 0 < r < e -> off_axis x y e -> 0 <= hit_of_a.discriminant_a x y e r -> exists t,
+  hit_of_a.t_a x y e r = Finite t /\ angles_on_a.cos_phi x y e r = e * t / r.
 Proof.
   intros F. destruct rim as [O D]. destruct (F (15 / 16) 0 (5 / 4) (3 / 4)) as (t & T & C); [lra | exact O | lra |].
   destruct (stable_frame__true_angles (15 / 16) 0 (5 / 4) (3 / 4)) as (s & a & b & U & M & _ & _ & (_ & _ & V & _) & _ & _
@@ -213,7 +208,8 @@ Qed.
 Lemma creased k a c : k <> 0 -> c <> 0 ->
   (exists m : Z, k * a = IZR m) <-> ~ ex_derive (fun a => Rabs (sin (PI * (k * a)) * c)) a.
 Proof.
-  rewrite <- sine_zero. assert (D : is_derive (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)) by (auto_derive; [exact I | ring]). split.
+  rewrite <- sine_zero. assert (D : is_derive (fun a => sin (PI * (k * a)) * c) a (PI * k * cos (PI * (k * a)) * c)) by (auto_derive; [exact I |
+    ring]). split.
   - intros S. apply (corner _ _ _ D).
     + rewrite S. apply Rmult_0_l.
     + assert (cos (PI * (k * a)) <> 0) by (pose proof (sin2_cos2 (PI * (k * a))) as Q; unfold Rsqr in Q; nra).
@@ -271,8 +267,7 @@ Proof.
 Qed.
 
 (* A pixel's centre is at x = (2 m - 255) sqrt 15 / 768, y = (1083 - 10 n) sqrt 15 / 3840. *)
-Theorem pixels_off_the_pole__centre (m n : Z) : pixel_x m = (2 * IZR m - 255) * sqrt 15 / 768 /\
-  pixel_y n = (1083 - 10 * IZR n) * sqrt 15 / 3840.
+Theorem pixels_off_the_pole__centre m n : pixel_x m = (2 * IZR m - 255) * sqrt 15 / 768 /\ pixel_y n = (1083 - 10 * IZR n) * sqrt 15 / 3840.
 Proof.
   of_pixels. set (q := sqrt 15) in *.
   replace (5 / 4 * 4 * 1 / q) with (q / 3).
@@ -297,7 +292,7 @@ Proof.
 Qed.
 
 (* Every pixel of 256^2 has rho >= sqrt (34/15) / 256. *)
-Theorem pixels_off_the_pole__raster (m n : Z) : sqrt (34 / 15) / 256 <= sqrt (pixel_x m ^ 2 + pixel_y n ^ 2).
+Theorem pixels_off_the_pole__raster m n : sqrt (34 / 15) / 256 <= sqrt (pixel_x m ^ 2 + pixel_y n ^ 2).
 Proof.
   replace (sqrt (34 / 15) / 256) with (sqrt (34 / 15 / 256 ^ 2)).
   - apply sqrt_le_1_alt, pixel_far.
@@ -335,8 +330,8 @@ Proof.
 Qed.
 
 (* Not the floor whenever there is one. *)
-Theorem bump_moves_no_boundary__surface__false : ~ forall x y e r bx by_ bz br on floor : R, 0 < floor ->
-  visible_surface.surface x y e r bx by_ bz br on floor = 3.
+Theorem bump_moves_no_boundary__surface__false : ~ forall x y e r bx by_ bz br on floor, 0 < floor -> visible_surface.surface x y e r bx by_ bz br
+  on floor = 3.
 Proof.
   intros F. destruct point_a as (H & O & D). specialize (F (1 / 2) 0 4 1 0 0 0 1 0 1 ltac:(lra)).
   destruct (bump_moves_no_boundary__surface (1 / 2) 0 4 1 0 0 0 1 0 1) as ((S & _) & T & _).
@@ -346,14 +341,14 @@ Proof.
   rewrite A, B, (T ltac:(lra)) in S. enough (1 = 3) by lra. rewrite <- F. symmetry. apply S. simpl. repeat split; lra.
 Qed.
 
-Lemma sine_between (x : R) (n : Z) : IZR n < x < IZR n + 1 -> exists s, 0 < s /\ sin (PI * x) = s * cos (PI * IZR n).
+Lemma sine_between x n : IZR n < x < IZR n + 1 -> exists s, 0 < s /\ sin (PI * x) = s * cos (PI * IZR n).
 Proof.
   intros H. pose proof PI_RGT_0. exists (sin (PI * (x - IZR n))). split; [apply sin_gt_0; nra |].
   replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring.
   rewrite sin_plus, (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring.
 Qed.
 
-Lemma whole_turns (k : Z) : cos (PI * IZR (2 * k)) = 1 /\ cos (PI * IZR (2 * k + 1)) = -1.
+Lemma whole_turns k : cos (PI * IZR (2 * k)) = 1 /\ cos (PI * IZR (2 * k + 1)) = -1.
 Proof.
   assert (C : cos (PI * IZR (2 * k)) = 1).
   { rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
@@ -361,10 +356,10 @@ Proof.
   split; [exact C |]. rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
 Qed.
 
-Lemma floor_between (x : R) : x <> IZR (Int_part x) -> IZR (Int_part x) < x < IZR (Int_part x) + 1.
+Lemma floor_between x : x <> IZR (Int_part x) -> IZR (Int_part x) < x < IZR (Int_part x) + 1.
 Proof. intros H. destruct (base_Int_part x). lra. Qed.
 
-Lemma half_floor (n : Z) : IZR n <> 2 * IZR (Int_part (1 / 2 * IZR n)) <-> Z.Odd n.
+Lemma half_floor n : IZR n <> 2 * IZR (Int_part (1 / 2 * IZR n)) <-> Z.Odd n.
 Proof.
   destruct (base_Int_part (1 / 2 * IZR n)) as [A B]. set (k := Int_part (1 / 2 * IZR n)) in *. split.
   - intros H. exists k. assert (2 * k < n)%Z by (apply lt_IZR; rewrite mult_IZR; lra).
@@ -374,7 +369,7 @@ Proof.
 Qed.
 
 (* A checker square is dark exactly where sin (pi x) sin (pi y) < 0: a grid line is light. *)
-Theorem bump_moves_no_boundary__checker (x y : R) : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
+Theorem bump_moves_no_boundary__checker x y : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
 Proof.
   assert (Z : forall a, a = IZR (Int_part a) -> sin (PI * a) = 0) by (intros a E; apply sine_zero; eauto).
   destruct (Req_dec x (IZR (Int_part x))) as [X | X];
@@ -392,8 +387,7 @@ Proof.
 Qed.
 
 (* Not where it is > 0. *)
-Theorem bump_moves_no_boundary__checker__false : ~ forall x y : R, checker.dark x y = 1 <->
-  0 < sin (PI * x) * sin (PI * y).
+Theorem bump_moves_no_boundary__checker__false : ~ forall x y, checker.dark x y = 1 <-> 0 < sin (PI * x) * sin (PI * y).
 Proof.
   intros F. specialize (F (1 / 2) (1 / 2)). rewrite bump_moves_no_boundary__checker in F.
   replace (PI * (1 / 2)) with (PI / 2) in F by field. rewrite sin_PI2 in F. lra.

@@ -1,13 +1,13 @@
 (* The difference that is clamped at the pole v = 0. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Fields Claim Derivatives.
+From Formal Require Import Camera Preliminaries Formulas Fields Claim Derivatives.
 From Formal Require Statements.
 Open Scope R_scope.
 
-Lemma over_a_span (s x y : R) : 0 < s -> y = s * x -> y >= 0 -> x >= 0.
+Lemma over_a_span s x y : 0 < s -> y = s * x -> y >= 0 -> x >= 0.
 Proof. intros S -> Y. apply Rle_ge, Rmult_le_reg_l with s; lra. Qed.
 
 Theorem clamped_difference__clamp : Statements.clamped_difference__clamp.
@@ -28,15 +28,15 @@ Proof. red. intros. at_the_pole span_v. unfold h_v, h_v_plus, h_v_minus. rewrite
 Theorem clamped_difference__at_the_pole_itself : Statements.clamped_difference__at_the_pole_itself.
 Proof. claim. Qed.
 
-
+Definition derives_to (f f1 : R -> R) := forall w, is_derive f w (f1 w).
 (* The mean value theorem, for b on either side of a. *)
-Lemma mean_value (f f1 : R -> R) (a b : R) : (forall w, is_derive f w (f1 w)) -> exists c, Rmin a b <= c <= Rmax a b /\ f b - f a = f1 c * (b - a).
+Lemma mean_value f f1 (a b : R) : derives_to f f1 -> exists c, Rmin a b <= c <= Rmax a b /\ f b - f a = f1 c * (b - a).
 Proof.
   intro D. apply MVT_gen; intros x _; [apply D|]. apply continuity_pt_filterlim, (ex_derive_continuous f). exists (f1 x). apply D.
 Qed.
 (* The derivative of an expression in a function whose derivative is at hand. *)
 Ltac derives D := auto_derive; [repeat split; eexists; apply D | rewrite ?(is_derive_unique _ _ _ (D _)); field].
-Lemma times_its_sign (w : R) : w * sign w = Rabs w.
+Lemma times_its_sign w : w * sign w = Rabs w.
 Proof. destruct (Rtotal_order w 0) as [L|[->|L]]; [rewrite sign_eq_m1, Rabs_left by lra | rewrite sign_0, Rabs_R0 | rewrite sign_eq_1, Rabs_pos_eq by
   lra]; ring. Qed.
 Lemma slope_of_half_square (v w : R) : is_derive (fun w => (w - v) * Rabs (w - v) / 2) w (Rabs (w - v)).
@@ -49,8 +49,9 @@ Proof.
 Qed.
 
 (* The printed lines' difference of any height, *)
-Definition clamped (h : R -> R) (v epsilon : R) : R := (h (central_sine.v_plus v epsilon) - h (central_sine.v_minus v epsilon)) / central_sine.span_v v epsilon.
-Lemma clamped_is (h : R -> R) (v epsilon : R) : 0 <= v < epsilon -> v + epsilon <= 1 -> clamped h v epsilon = (h (v + epsilon) - h 0) / (v + epsilon).
+Definition clamped (h : R -> R) (v epsilon : R) := (h (central_sine.v_plus v epsilon) - h (central_sine.v_minus v epsilon)) / central_sine.span_v
+  v epsilon.
+Lemma clamped_is h v epsilon : 0 <= v < epsilon -> v + epsilon <= 1 -> clamped h v epsilon = (h (v + epsilon) - h 0) / (v + epsilon).
 Proof.
   intros V W. destruct (clamped_difference__clamp epsilon v) as (A & B & C); try lra. unfold clamped. rewrite (Rplus_comm v).
   change (central_sine.v_plus v epsilon = epsilon + v) in A. change (central_sine.v_minus v epsilon = 0) in B. change (central_sine.span_v v epsilon =
@@ -58,16 +59,16 @@ Proof.
   rewrite A, B, C. reflexivity.
 Qed.
 (* those of the book among them. *)
-Theorem clamped_difference__of_the_fields (u v k_u k_v epsilon : R) : central_sine.h_v u v k_u k_v epsilon = clamped (fun v => height_sine.h u v k_u
-  k_v) v epsilon /\
-  central_ridges.h_v u v k_u k_v epsilon = clamped (fun v => height_ridges.h u v k_u k_v) v epsilon /\ central_rings.h_v v k_v epsilon = clamped (fun
-    v => height_rings.h v k_v) v epsilon.
+Theorem clamped_difference__of_the_fields u v k_u k_v epsilon : central_sine.h_v u v k_u k_v epsilon = clamped (fun v => height_sine.h u v k_u
+  k_v) v epsilon /\ central_ridges.h_v u v k_u k_v epsilon = clamped (fun v => height_ridges.h u v k_u k_v) v epsilon /\ central_rings.h_v v k_v
+  epsilon = clamped (fun v => height_rings.h v k_v) v epsilon.
 Proof. repeat split; reflexivity. Qed.
 Theorem clamped_difference__of_the_fields__false : ~ forall v k_v epsilon, 0 < epsilon -> central_rings.h_v v k_v epsilon = clamped (fun v =>
   height_ridges.h (1/2) v 1 k_v) v epsilon.
 Proof.
-  intro H. generalize (H 0 1 (1/2) ltac:(lra)). rewrite (proj2 (proj2 (clamped_difference__of_the_fields 0 0 0 1 (1/2)))), !clamped_is by lra. unfold_fields.
-  replace (PI * (2 * 1 * (0 + 1/2))) with PI by field. replace (0 + 1/2) with (1/2) by ring. rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, sin_PI,
+  intro H. generalize (H 0 1 (1/2) ltac:(lra)). rewrite (proj2 (proj2 (clamped_difference__of_the_fields 0 0 0 1 (1/2)))), !clamped_is by lra.
+    unfold_fields.
+  replace (PI * (2 * 1 * (0 + 1/2))) with PI by field. replace (0 + 1/2) with (1/2) by ring. rewrite half_sine, !Rmult_0_r, sin_0, sin_PI,
     Rmult_1_l, Rmult_0_r, Rabs_R1, Rabs_R0. lra.
 Qed.
 
@@ -103,8 +104,7 @@ Theorem clamped_difference__attained__false : ~ forall v epsilon, 0 <= v < epsil
   clamped (fun w => (w - v) * Rabs (w - v) / 2) v epsilon - Rabs (v - v) = 0.
 Proof. intro H. generalize (H 0 1 ltac:(lra) ltac:(lra)) (proj2 (proj2 (clamped_difference__attained 0 1 ltac:(lra) ltac:(lra)))). cbv beta zeta.
   intros -> E. lra. Qed.
-Theorem clamped_difference__of_any_height__false : ~ forall (h h1 : R -> R) (v epsilon S : R), (forall w, is_derive h w (h1 w)) -> 0 <= v < epsilon ->
-  v + epsilon <= 1 ->
+Theorem clamped_difference__of_any_height__false : ~ forall h h1 (v epsilon S : R), derives_to h h1 -> 0 <= v < epsilon -> v + epsilon <= 1 ->
   (forall w x, Rabs (h1 w - h1 x) <= S * Rabs (w - x)) -> Rabs (clamped h v epsilon - h1 v) <= (epsilon ^ 2 + v ^ 2) / (3 * (epsilon + v)) * S.
 Proof.
   intro H. destruct (clamped_difference__attained 0 1 ltac:(lra) ltac:(lra)) as (D & L & E). generalize (H _ _ 0 1 1 D ltac:(lra) ltac:(lra) L).
@@ -119,11 +119,11 @@ Proof.
     (- (PI * (2 * k_v * v))) by ring.
   replace (- v * PI * k_v) with (- (v * PI * k_v)) by ring. rewrite !sin_neg. repeat split; ring.
 Qed.
-Lemma sine_on_a_hump (x : R) : 0 <= x <= 1 -> 0 <= sin (PI * x).
+Lemma sine_on_a_hump x : 0 <= x <= 1 -> 0 <= sin (PI * x).
 Proof. intro X. generalize PI_RGT_0. intro. apply sin_ge_0; nra. Qed.
 Theorem clamped_difference_of_odd__first_ridge : Statements.clamped_difference_of_odd__first_ridge.
 Proof.
-  red. intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))).
+  intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))).
   printed_angles. intros S U.
   rewrite Rabs_mult, (Rabs_pos_eq _ S). repeat split; nra.
 Qed.
@@ -140,20 +140,22 @@ Proof. claim. Qed.
 
 Section odd.
 Variables f0 f1 f2 f3 : R -> R.
-Hypotheses (D1 : forall w, is_derive f0 w (f1 w)) (D2 : forall w, is_derive f1 w (f2 w)) (D3 : forall w, is_derive f2 w (f3 w)).
+Hypotheses (D1 : derives_to f0 f1) (D2 : derives_to f1 f2) (D3 : derives_to f2 f3).
 (* A function with f0(0) = f''(0) = 0 whose third derivative is not negative up to a has a f'(v) <= f0(a) for v <= a/2. *)
-Lemma middle_slope (a v : R) : 0 <= v <= a / 2 -> f0 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f0 a.
+Lemma middle_slope a v : 0 <= v <= a / 2 -> f0 0 = 0 -> f2 0 = 0 -> (forall w, 0 <= w <= a -> 0 <= f3 w) -> a * f1 v <= f0 a.
 Proof.
-  intros V Z Z2 P. destruct (mean_value f2 f3 0 v D3) as (b & B & E). rewrite Rmin_left, Rmax_right in B by lra. assert (F := P b ltac:(lra)).
-  destruct (mean_value (fun t => f0 t - t * f1 v - f2 v * ((t - v) ^ 2 / 2)) (fun t => f1 t - f1 v - f2 v * (t - v)) 0 a) as (t & T & G); [intro; derives D1|].
+  intros V Z Z2 P. destruct (mean_value f2 f3 0 v D3) as (b & B & E). rewrite Rmin_left, Rmax_right in B by lra. pose proof P b ltac:(lra) as F.
+  destruct (mean_value (fun t => f0 t - t * f1 v - f2 v * ((t - v) ^ 2 / 2)) (fun t => f1 t - f1 v - f2 v * (t - v)) 0 a) as (t & T & G); [intro;
+    derives D1|].
   destruct (mean_value f1 f2 v t D2) as (c & C & H). destruct (mean_value f2 f3 v c D3) as (w & W & I). rewrite Rmin_left, Rmax_right in T by lra.
   assert (J : 0 <= f3 w * ((c - v) * (t - v))) by (unfold Rmin, Rmax in *; repeat destruct Rle_dec; apply Rmult_le_pos; first [apply P; lra | nra]).
   assert (0 <= f2 v * (a * (a - 2 * v))) by (repeat apply Rmult_le_pos; nra). assert (0 <= f3 w * ((c - v) * (t - v)) * a) by (apply Rmult_le_pos; lra).
-  replace (f1 t - f1 v - f2 v * (t - v)) with (f3 w * ((c - v) * (t - v))) in G by (rewrite H; transitivity ((f2 c - f2 v) * (t - v)); [rewrite I|]; ring). lra.
+  replace (f1 t - f1 v - f2 v * (t - v)) with (f3 w * ((c - v) * (t - v))) in G by (rewrite H; transitivity ((f2 c - f2 v) * (t - v)); [rewrite
+    I|]; ring). lra.
 Qed.
 End odd.
 (* The derivative of an odd function is even, and the other way round. *)
-Lemma mirrored (g g1 : R -> R) (s : R) : (forall w, is_derive g w (g1 w)) -> (forall w, g (- w) = s * g w) -> forall w, g1 (- w) = - s * g1 w.
+Lemma mirrored g g1 (s : R) : derives_to g g1 -> (forall w, g (- w) = s * g w) -> forall w, g1 (- w) = - s * g1 w.
 Proof.
   intros D E w. assert (A : is_derive (fun t => g (- t)) w (- g1 (- w))) by derives D. apply is_derive_unique in A. rewrite (Derive_ext _ (fun t => s
     * g t) _ E), Derive_scal, (is_derive_unique _ _ _ (D w)) in A. lra.
@@ -179,25 +181,25 @@ Proof.
     - rewrite Z2. ring.
     - intros w W. generalize (B w W). rewrite <- (Rmult_1_l (Rabs (h3 w))), <- C, <- Rabs_mult. generalize (Rabs_maj2 (c * h3 w)). lra. }
   generalize (A 1 Rabs_R1) (A (-1) Rabs_m1). rewrite Z, Rminus_0_r. intros L U.
-  set (a := v + epsilon) in *. assert (P : 0 < a) by (unfold a; lra). set (q := h a / a). assert (Q : h a = q * a) by (unfold q; field; lra). rewrite Q in L, U.
+  set (a := v + epsilon) in *. assert (P : 0 < a) by (unfold a; lra). set (q := h a / a). assert (Q : h a = q * a) by (unfold q; field; lra).
+    rewrite Q in L, U.
   replace ((epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * S) with (S * (a ^ 2 / 6) - S * (v ^ 2 / 2)) by (unfold a; field).
   apply Rabs_le. split; apply Rmult_le_reg_r with a; trivial; nra.
 Qed.
-Theorem clamped_difference_of_odd__of_any_height__false : ~ forall (h h1 h2 h3 : R -> R) (v epsilon S : R),
-  (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w)) -> (forall w, is_derive h2 w (h3 w)) -> (forall w, h (- w) = - h w) -> 0 <= v
-    < epsilon ->
-  v + epsilon <= 1 -> (forall w, Rabs (h3 w) <= S) -> Rabs (clamped h v epsilon - h1 v) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 7 * S.
+Theorem clamped_difference_of_odd__of_any_height__false : ~ forall h h1 h2 h3 (v epsilon S : R), derives_to h h1 -> derives_to h1 h2 -> derives_to
+  h2 h3 -> (forall w, h (- w) = - h w) -> 0 <= v < epsilon -> v + epsilon <= 1 -> (forall w, Rabs (h3 w) <= S) -> Rabs (clamped h v epsilon - h1
+  v) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 7 * S.
 Proof.
   intro H. generalize (H (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) (fun _ => 6) 0 1 6). intro K. assert (B : Rabs (clamped (fun w => w ^
     3) 0 1 - 3 * 0 ^ 2) <= 6 / 7).
   - replace (6 / 7) with ((1 ^ 2 + 2 * 1 * 0 - 2 * 0 ^ 2) / 7 * 6) by field.
-    apply K; try lra; intros; try (auto_derive; trivial; ring); [ring | rewrite Rabs_pos_eq; lra].
+    apply K; try lra; try red; intros; try (auto_derive; trivial; ring); [ring | rewrite Rabs_pos_eq; lra].
   - rewrite clamped_is, Rabs_pos_eq in B by lra. lra.
 Qed.
 (* Sine, rings and the first hump of ridges, against its slope upwards, are odd sines. *)
-Lemma of_an_odd_sine (a k v epsilon slope : R) (f : R -> R) : Rabs a <= 1 -> 0 <= k -> 0 <= v < epsilon -> v + epsilon <= 1 ->
-  (forall w, 0 <= w <= v + epsilon -> f w = a * sin (PI * (k * w))) -> slope = a * (PI * k * cos (PI * (k * v))) ->
-  Rabs (clamped f v epsilon - slope) <= (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k) ^ 3.
+Lemma of_an_odd_sine a k v epsilon slope f : Rabs a <= 1 -> 0 <= k -> 0 <= v < epsilon -> v + epsilon <= 1 -> (forall w, 0 <= w <= v + epsilon ->
+  f w = a * sin (PI * (k * w))) -> slope = a * (PI * k * cos (PI * (k * v))) -> Rabs (clamped f v epsilon - slope) <= (epsilon ^ 2 + 2 * epsilon *
+  v - 2 * v ^ 2) / 6 * (PI * k) ^ 3.
 Proof.
   intros A K V W F ->. generalize PI_RGT_0. intro P. rewrite clamped_is, !F, <- (clamped_is (fun v => a * sin (PI * (k * v)))) by lra.
   apply (clamped_difference_of_odd__of_any_height _ (fun v => a * (PI * k * cos (PI * (k * v)))) (fun v => - (a * ((PI * k) ^ 2 * sin (PI * (k * v)))))
@@ -206,11 +208,10 @@ Proof.
   - intros _. rewrite Rabs_Ropp. replace (a * _) with ((PI * k) ^ 3 * (a * cos (PI * (k * w)))) by ring. apply at_most; [apply pow_le; nra | exact A |
     apply cosine_at_most_1].
 Qed.
-Theorem clamped_difference_of_odd__of_the_fields (u v k_u k_v epsilon : R) : 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 ->
-  let bound k := (epsilon ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k) ^ 3 in
-  Rabs (central_sine.h_v u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= bound k_v /\
-  Rabs (central_rings.h_v v k_v epsilon - gradient_rings.h_v v k_v) <= bound (2 * k_v) /\
-  (k_v * (v + epsilon) <= 1 -> Rabs (central_ridges.h_v u v k_u k_v epsilon - Rabs (sin (PI * (k_u * u))) * (PI * k_v * cos (PI * (k_v * v)))) <= bound k_v).
+Theorem clamped_difference_of_odd__of_the_fields u v k_u k_v epsilon : 0 < k_v -> 0 <= v < epsilon -> v + epsilon <= 1 -> let bound k := (epsilon
+  ^ 2 + 2 * epsilon * v - 2 * v ^ 2) / 6 * (PI * k) ^ 3 in Rabs (central_sine.h_v u v k_u k_v epsilon - gradient_sine.h_v u v k_u k_v) <= bound
+  k_v /\ Rabs (central_rings.h_v v k_v epsilon - gradient_rings.h_v v k_v) <= bound (2 * k_v) /\ (k_v * (v + epsilon) <= 1 -> Rabs
+  (central_ridges.h_v u v k_u k_v epsilon - Rabs (sin (PI * (k_u * u))) * (PI * k_v * cos (PI * (k_v * v)))) <= bound k_v).
 Proof.
   intros K V W bound. destruct (clamped_difference__of_the_fields u v k_u k_v epsilon) as (A & B & C). rewrite A, B, C. unfold_fields.
   repeat split; [| | intro L]; [apply of_an_odd_sine with (sin (PI * (k_u * u))) | apply of_an_odd_sine with 1 | apply of_an_odd_sine with (Rabs (sin
@@ -225,6 +226,6 @@ Theorem clamped_difference_of_odd__of_the_fields__false : ~ forall u v k_u k_v e
 Proof.
   intro H. generalize (H (1/2) 0 1 1 (1/2) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite (proj1 (proj2 (clamped_difference__of_the_fields
     (1/2) 0 1 1 (1/2)))), clamped_is by lra.
-  unfold_fields. rewrite Rplus_0_l, sine_of_a_right_angle, !Rmult_0_r, sin_0, Rmult_0_r, sign_0, Rmult_1_l, Rabs_R0, Rabs_R1. rewrite Rabs_pos_eq by
+  unfold_fields. rewrite Rplus_0_l, half_sine, !Rmult_0_r, sin_0, Rmult_0_r, sign_0, Rmult_1_l, Rabs_R0, Rabs_R1. rewrite Rabs_pos_eq by
     lra. apply Rlt_not_le. interval.
 Qed.

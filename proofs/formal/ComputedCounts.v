@@ -2,9 +2,7 @@
 
 From Coq Require Import Reals Lra Lia ZArith List Bool FMapPositive.
 From Flocq Require Import Core Operations Round Div Sqrt Bracket.
-From Formal Require Import Preliminaries Float Float64 Programs RecordedPixel RoundedHalfTurns Rounding EnclosingRules EnclosingOperations
-    EnclosingPrograms
-  EnclosingPixel.
+From Formal Require Import Preliminaries Float Float64 RecordedPixel RoundedHalfTurns Rounding EnclosingRules EnclosingOperations EnclosingPixel.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -22,7 +20,7 @@ Definition near_dyadic (x : dyadic) : dyadic := shortened (Z.max (SpecFloat.Zdig
 Definition near_located (located : Z * Z * SpecFloat.location) : dyadic :=
   let '(m, e, l) := truncate radix2 (FLT_exp (-1074) 53) located in Float radix2 (to_nearest m l) e.
 
-Lemma shortened_lies (m e k : Z) : (0 < k)%Z -> exists n l, shortened k (Float radix2 m e) = Float radix2 (to_nearest n l) (e + k) /\ inbetween_float
+Lemma shortened_lies m e k : (0 < k)%Z -> exists n l, shortened k (Float radix2 m e) = Float radix2 (to_nearest n l) (e + k) /\ inbetween_float
   radix2 n (e + k) (F2R (Float radix2 m e)) l.
 Proof.
   intro K. unfold shortened. destruct (Z.leb_spec k 0) as [L|_]; [lia|]. eexists _, _. split; [reflexivity|]. rewrite !Z.shiftl_mul_pow2, Z.mul_1_l,
@@ -79,22 +77,22 @@ Proof.
 Qed.
 Lemma quotient_is x y : F2R y <> 0 -> F2R (quotient_near x y) = rounded (F2R x / F2R y).
 Proof.
-  intro Y. unfold quotient_near. assert (X := sign_is x). assert (S := sign_is y). destruct (Fnum x =? 0)%Z eqn:Zx.
+  intro Y. unfold quotient_near. pose proof sign_is x as X. pose proof sign_is y as S. destruct (Fnum x =? 0)%Z eqn:Zx.
   { destruct (Fnum x <? 0)%Z eqn:N; [lia|]. rewrite X, zero_is. unfold Rdiv. rewrite Rmult_0_l, rounded_0. reflexivity. }
-  assert (D := Fdiv_correct (FLT_exp (-1074) 53) (Fabs x) (Fabs y)). rewrite !F2R_abs in D. destruct (Fdiv _ _ _) as [[m e] l].
-  assert (Px : 0 < Rabs (F2R x)) by (apply Rabs_pos_lt; destruct (Fnum x <? 0)%Z; lra). assert (Py := Rabs_pos_lt _ Y). destruct (D Px Py) as [C I].
-  assert (G : 0 <= Rabs (F2R x) / Rabs (F2R y)) by (apply Rlt_le, Rdiv_lt_0_compat; assumption). assert (L := located_is_rounded _ _ _ _ G I C).
+  pose proof Fdiv_correct (FLT_exp (-1074) 53) (Fabs x) (Fabs y) as D. rewrite !F2R_abs in D. destruct (Fdiv _ _ _) as [[m e] l].
+  assert (Px : 0 < Rabs (F2R x)) by (apply Rabs_pos_lt; destruct (Fnum x <? 0)%Z; lra). pose proof Rabs_pos_lt _ Y as Py. destruct (D Px Py) as [C I].
+  assert (G : 0 <= Rabs (F2R x) / Rabs (F2R y)) by (apply Rlt_le, Rdiv_lt_0_compat; assumption). pose proof located_is_rounded _ _ _ _ G I C as L.
   destruct (Fnum y <? 0)%Z, (Fnum x <? 0)%Z; cbn [xorb]; try (destruct (Fnum y =? 0)%Z; [lra|]); rewrite ?F2R_opp, L, <- ?rounded_opp; f_equal;
     unfold Rabs; repeat destruct Rcase_abs; try lra; field; lra.
 Qed.
 Lemma root_is x : F2R (root_near x) = rounded (sqrt (F2R x)).
 Proof.
-  unfold root_near. assert (X := sign_is x). destruct (Z.leb_spec (Fnum x) 0) as [L|L].
+  unfold root_near. pose proof sign_is x as X. destruct (Z.leb_spec (Fnum x) 0) as [L|L].
   - rewrite zero_is, sqrt_neg, rounded_0; [reflexivity|]. destruct (Z.ltb_spec (Fnum x) 0); [lra|]. destruct (Z.eqb_spec (Fnum x) 0); [lra | lia].
-  - destruct (Z.ltb_spec (Fnum x) 0); [lia|]. destruct (Z.eqb_spec (Fnum x) 0); [lia|]. assert (D := Fsqrt_correct (FLT_exp (-1074) 53) x X).
+  - destruct (Z.ltb_spec (Fnum x) 0); [lia|]. destruct (Z.eqb_spec (Fnum x) 0); [lia|]. pose proof Fsqrt_correct (FLT_exp (-1074) 53) x X as D.
     destruct (Fsqrt _ _) as [[m e] l]. destruct D as [C I]. exact (located_is_rounded _ _ _ _ (sqrt_pos _) I C).
 Qed.
-Lemma whole_float (m e : Z) : (0 <= e)%Z -> F2R (Float radix2 m e) = IZR (m * 2 ^ e).
+Lemma whole_float m e : (0 <= e)%Z -> F2R (Float radix2 m e) = IZR (m * 2 ^ e).
 Proof. intro E. unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR, <- IZR_Zpower by exact E. reflexivity. Qed.
 Lemma whole_nearest_is x : F2R (whole_nearest x) = rint (F2R x).
 Proof.
@@ -114,12 +112,12 @@ Proof.
 Qed.
 Lemma less_is x y : less x y = if Rlt_dec (F2R x) (F2R y) then true else false.
 Proof.
-  unfold less. assert (S := sign_is (Fminus x y)). rewrite F2R_minus in S. destruct (Fnum (Fminus x y) <? 0)%Z, Rlt_dec; try reflexivity; [lra|].
+  unfold less. pose proof sign_is (Fminus x y) as S. rewrite F2R_minus in S. destruct (Fnum (Fminus x y) <? 0)%Z, Rlt_dec; try reflexivity; [lra|].
   destruct (Fnum (Fminus x y) =? 0)%Z; lra.
 Qed.
 Lemma equal_is x y : equal x y = if Req_EM_T (F2R x) (F2R y) then true else false.
 Proof.
-  unfold equal. assert (S := sign_is (Fminus x y)). rewrite F2R_minus in S. destruct (Z.ltb_spec (Fnum (Fminus x y)) 0), (Z.eqb_spec (Fnum (Fminus x
+  unfold equal. pose proof sign_is (Fminus x y) as S. rewrite F2R_minus in S. destruct (Z.ltb_spec (Fnum (Fminus x y)) 0), (Z.eqb_spec (Fnum (Fminus x
     y)) 0), Req_EM_T; try reflexivity; exfalso; lia || lra.
 Qed.
 
@@ -204,8 +202,8 @@ Definition rule_found (o : recorded_pixel.operation) (given : list (kind * (dyad
   end.
 
 (* A constant is a float64 number next to what it stands for: half of its last digit away at most. *)
-Definition nearest_constants (constants : Z -> Z -> R * R) : Prop := forall m e,
-  snd (constants m e) = bpow radix2 (SpecFloat.Zdigits2 m + e - 1) /\ Rabs (literal m e - fst (constants m e)) <= snd (constants m e) / 2 ^ 53.
+Definition nearest_constants (constants : Z -> Z -> R * R) := forall m e, snd (constants m e) = bpow radix2 (SpecFloat.Zdigits2 m + e - 1) /\ Rabs
+  (literal m e - fst (constants m e)) <= snd (constants m e) / 2 ^ 53.
 Definition pair_in_reals (n : dyadic * dyadic) : R * R := (F2R (fst n), F2R (snd n)).
 Definition in_reals (n : kind * (dyadic * dyadic)) : kind * (R * R) := (fst n, pair_in_reals (snd n)).
 
@@ -280,7 +278,7 @@ Proof.
   destruct D as [[D|D]|D]; [left; lia | right; left; destruct Req_EM_T in D; [assumption | discriminate] | right; right; destruct Rle_dec in D;
     [assumption | discriminate]].
 Qed.
-Lemma power_is (n : nat) : F2R (two_to (Z.of_nat n)) = 2 ^ n.
+Lemma power_is n : F2R (two_to (Z.of_nat n)) = 2 ^ n.
 Proof. rewrite two_to_is, bpow_powerRZ, <- pow_powerRZ. reflexivity. Qed.
 Ltac asked H W := match type of H with (if ?c then _ else _) = _ => destruct c eqn:W; [|discriminate H] end.
 Lemma by_rule_is constants o given x e : nearest_constants constants -> rule_found o given = Some (x, e) ->
@@ -304,7 +302,7 @@ Proof.
   - asked H W. rewrite !andb_true_iff, negb_true_iff, equal_is, zero_is in W. destruct W as [[Z U] V]. destruct Req_EM_T as [|Y] in Z;
       [discriminate|].
     apply is_at_most in U, V. change (two_to 960) with (two_to (Z.of_nat 960)) in U. rewrite power_is, F2R_abs in U.
-    rewrite F2R_minus, !F2R_mult, F2R_plus, F2R_abs, one_is, !two_to_is in V. assert (P := fun n => eq_sym (inverse_power n)). rewrite (P 59%nat :
+    rewrite F2R_minus, !F2R_mult, F2R_plus, F2R_abs, one_is, !two_to_is in V. pose proof fun n => eq_sym (inverse_power n) as P. rewrite (P 59%nat :
     bpow
       radix2 (-59) = _), (P 53%nat : bpow radix2 (-53) = _), (P 19%nat : bpow radix2 (-19) = _) in V.
     destruct (quotient_count _ _ _ _ _) as [c|] eqn:Q; [|discriminate]. injection H as <- <-. rewrite quotient_is by exact Y. rewrite

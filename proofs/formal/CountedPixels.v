@@ -2,8 +2,8 @@
 
 From Coq Require Import Reals Lra Lia ZArith NArith List Bool FMapPositive.
 From Flocq Require Import Core Operations.
-From Formal Require Import Preliminaries Float Programs RecordedPixel Rounding EnclosingRules EnclosingOperations EnclosingPrograms EnclosingPixel
-    ComputedCounts.
+From Formal Require Import Preliminaries Programs RecordedPixel Rounding EnclosingRules EnclosingOperations EnclosingPrograms EnclosingPixel
+  ComputedCounts.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -42,8 +42,8 @@ Definition found_by (o : recorded_pixel.operation) (given : list found) : option
   end.
 
 (* What is found is known of a number of the machine, and is it. *)
-Definition shows (c : found) (n : number) : Prop :=
-  fst (snd n) = fst c /\ match snd c with Some v => fst n /\ snd (snd n) = pair_in_reals v | None => True end.
+Definition shows (c : found) (n : number) := fst (snd n) = fst c /\ match snd c with Some v => fst n /\ snd (snd n) = pair_in_reals v | None =>
+  True end.
 Lemma shows_zero : shows nothing_found zero_known.
 Proof. unfold shows, pair_in_reals. cbn [fst snd nothing_found zero_known]. rewrite zero_is. repeat split. Qed.
 Lemma far_is a b : far_apart a b = true -> too_near (pair_in_reals a) (pair_in_reals b) = false.
@@ -140,9 +140,8 @@ Fixpoint with_inputs (inputs : list (kind * (dyadic * dyadic))) (place : N) (m :
   | c :: rest => with_inputs rest (N.succ place) (PositiveMap.add (N.succ_pos place) (fst c, Some (snd c)) m)
   end.
 
-Definition stored (m : PositiveMap.t found) (values : list number) : Prop :=
-  forall place c, PositiveMap.find (N.succ_pos place) m = Some c -> (N.to_nat place < length values)%nat /\ shows c (nth (N.to_nat place) values
-  zero_known).
+Definition stored (m : PositiveMap.t found) (values : list number) := forall place c, PositiveMap.find (N.succ_pos place) m = Some c -> (N.to_nat
+  place < length values)%nat /\ shows c (nth (N.to_nat place) values zero_known).
 Lemma stored_more m values n : stored m values -> stored m (values ++ n :: nil).
 Proof. intros S place c F. destruct (S place c F) as [L H]. rewrite app_length, app_nth1 by exact L. split; [lia | exact H]. Qed.
 Lemma stored_next m values place c n : length values = N.to_nat place -> shows c n -> stored m values -> stored (PositiveMap.add (N.succ_pos place) c
@@ -230,11 +229,10 @@ Proof.
   destruct (PositiveMap.find _ (run_found _ _ _ _)) as [[k w]|] eqn:F; [|discriminate]. subst w.
   destruct (run_is_stored constants _ lines N _ _ _ L S _ _ F) as [_ [_ C]]. rewrite Nat2N.id in C. exact C.
 Qed.
-Theorem pixel_accuracy__ten_pixels (constants : Z -> Z -> R * R) (point : list ((Z * Z) * (Z * Z))) (exact : list exact_number) (place : nat) :
-  nearest_constants constants -> In point recorded_pixel.points -> In place recorded_pixel.drawn -> Forall2 (known_encloses 1) (numbers_at point)
-      exact ->
-  let x := nth place (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant in
-  fst x /\ Rabs (nth place (run operation R in_float64 0 (pixel_of constants) (map value_of (numbers_at point))) 0 - snd x) <= 21 / 10 ^ 14.
+Theorem pixel_accuracy__ten_pixels constants point exact place : nearest_constants constants -> In point recorded_pixel.points -> In place
+  recorded_pixel.drawn -> Forall2 (known_encloses 1) (numbers_at point) exact -> let x := nth place (run operation exact_number exact_machine
+  zero_meant (pixel_of constants) exact) zero_meant in fst x /\ Rabs (nth place (run operation R in_float64 0 (pixel_of constants) (map value_of
+  (numbers_at point))) 0 - snd x) <= 21 / 10 ^ 14.
 Proof.
   intros N P D A. destruct (andb_prop _ _ colors_are_within) as [W _]. unfold colors_found in W. rewrite forallb_forall in W. specialize (W _ (in_map
       _ _
@@ -261,7 +259,7 @@ Proof.
       rewrite Rminus_eq_0, Rabs_R0. lra.
 Qed.
 Lemma written_constants : nearest_constants (fun m e => (literal m e, bpow radix2 (SpecFloat.Zdigits2 m + e - 1))).
-Proof. intros m e. cbn [fst snd]. split; [reflexivity|]. rewrite Rminus_eq_0, Rabs_R0. assert (B := bpow_ge_0 radix2 (SpecFloat.Zdigits2 m + e - 1)).
+Proof. intros m e. cbn [fst snd]. split; [reflexivity|]. rewrite Rminus_eq_0, Rabs_R0. pose proof bpow_ge_0 radix2 (SpecFloat.Zdigits2 m + e - 1) as B.
     lra. Qed.
 Definition first_point : list ((Z * Z) * (Z * Z)) := nth 0 recorded_pixel.points [].
 Definition second_point : list ((Z * Z) * (Z * Z)) := nth 1 recorded_pixel.points [].
@@ -296,13 +294,12 @@ Proof.
     in G. rewrite F2R_mult, F2R_abs, F2R_minus in G. cbn [fst]. set (r := Rabs _) in *. unfold F2R in G. simpl in G. lra.
 Qed.
 (* Not where the numbers are another pixel's. *)
-Theorem pixel_accuracy__ten_pixels__false : ~ forall (constants : Z -> Z -> R * R) (point : list ((Z * Z) * (Z * Z))) (exact : list exact_number)
-    (place :
-  nat), nearest_constants constants -> In point recorded_pixel.points -> In place recorded_pixel.drawn -> length (numbers_at point) = length exact ->
-  Rabs (nth place (run operation R in_float64 0 (pixel_of constants) (map value_of (numbers_at point))) 0 - snd (nth place (run operation exact_number
-  exact_machine zero_meant (pixel_of constants) exact) zero_meant)) <= 21 / 10 ^ 14.
+Theorem pixel_accuracy__ten_pixels__false : ~ forall constants point exact place, nearest_constants constants -> In point recorded_pixel.points ->
+  In place recorded_pixel.drawn -> length (numbers_at point) = length exact -> Rabs (nth place (run operation R in_float64 0 (pixel_of constants)
+  (map value_of (numbers_at point))) 0 - snd (nth place (run operation exact_number exact_machine zero_meant (pixel_of constants) exact)
+  zero_meant)) <= 21 / 10 ^ 14.
 Proof.
-  intro H. destruct two_of_them as ([P Q] & E & D). apply andb_prop in E. destruct E as [E1 E2]. assert (N := written_constants).
+  intro H. destruct two_of_them as ([P Q] & E & D). apply andb_prop in E. destruct E as [E1 E2]. pose proof written_constants as N.
   destruct (pixel_accuracy__ten_pixels _ _ _ _ N Q D (values_are_enclosed _ E2)) as [_ B]. assert (L : length (numbers_at first_point) = length
     (taken_for_exact (inputs_at second_point))) by (vm_compute; reflexivity). specialize (H _ _ _ _ N P D L).
   destruct (andb_prop _ _ colors_are_within) as [_ W]. destruct (they_differ _ _ W) as (v & w & V & U & G). fold first_point in V. fold second_point

@@ -1,44 +1,44 @@
 (* The tents of the error beside the creases: where they stand, their areas, and the root mean squares over the chart. *)
 
-From Coq Require Import Reals Lra Psatz Lia ZArith.
+From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Fields Claim Derivatives Clamped Creases CreaseError.
+From Formal Require Import Camera Preliminaries Formulas Fields Claim Derivatives Clamped Creases CreaseError.
 Open Scope R_scope.
 
-
 (* The tent beside a crease at the distance d, and the tents of all creases m/k: of the nearest one. *)
-Definition tent (k epsilon d : R) : R := if Rlt_dec (Rabs d) epsilon then sign d * (PI * k * (Rabs d / epsilon - 1)) else 0.
-Definition nearest (k x : R) : R := IZR (Int_part (k * x + 1 / 2)) / k.
-Lemma nearest_is (k x : R) (m : Z) : 0 < k -> IZR m / k - / (2 * k) <= x < IZR m / k + / (2 * k) -> nearest k x = IZR m / k.
+Definition tent (k epsilon d : R) := if Rlt_dec (Rabs d) epsilon then sign d * (PI * k * (Rabs d / epsilon - 1)) else 0.
+Definition nearest (k x : R) := IZR (Int_part (k * x + 1 / 2)) / k.
+Lemma nearest_is k x m : 0 < k -> IZR m / k - / (2 * k) <= x < IZR m / k + / (2 * k) -> nearest k x = IZR m / k.
 Proof.
   intros K X. unfold nearest. rewrite (floor_is m); [reflexivity|]. assert (E : IZR m = k * (IZR m / k)) by (field; lra). assert (F : k * / (2 * k) =
     1 / 2) by (field; lra). nra.
 Qed.
-Lemma near_the_nearest (k x : R) : 0 < k -> exists m : Z, nearest k x = IZR m / k /\ - / (2 * k) <= x - IZR m / k <= / (2 * k).
+Lemma near_the_nearest k x : 0 < k -> exists m : Z, nearest k x = IZR m / k /\ - / (2 * k) <= x - IZR m / k <= / (2 * k).
 Proof.
   intro K. exists (Int_part (k * x + 1 / 2)). split; [reflexivity|]. destruct (base_Int_part (k * x + 1 / 2)) as [L U]. set (i := IZR (Int_part _)) in *.
   assert (I : 0 < / k) by (apply Rinv_0_lt_compat, K). rewrite Rinv_mult. replace (x - i / k) with ((k * x - i) * / k) by (field; lra). split; nra.
 Qed.
 
 (* Of a half-wave |sin pi k d| the difference is the slope and the tent, up to 2/3 pi k (pi k eps)^2. *)
-Definition of_a_hump (k epsilon d : R) : R := (Rabs (sin (PI * (k * (d + epsilon)))) - Rabs (sin (PI * (k * (d - epsilon))))) / (2 * epsilon) - sign d
+Definition of_a_hump (k epsilon d : R) := (Rabs (sin (PI * (k * (d + epsilon)))) - Rabs (sin (PI * (k * (d - epsilon))))) / (2 * epsilon) - sign d
   * PI * k * cos (PI * (k * d)).
-Definition room (k epsilon : R) : R := 2 / 3 * (PI * k) * (PI * k * epsilon) ^ 2.
-Lemma some_room (k epsilon : R) : 0 < k -> 0 < epsilon -> 0 < room k epsilon.
+Definition room (k epsilon : R) := 2 / 3 * (PI * k) * (PI * k * epsilon) ^ 2.
+Lemma some_room k epsilon : 0 < k -> 0 < epsilon -> 0 < room k epsilon.
 Proof. intros K E. assert (0 < PI * k) by (apply Rmult_lt_0_compat; [apply PI_RGT_0 | exact K]). unfold room. apply Rmult_lt_0_compat; [lra | apply
   pow_lt, Rmult_lt_0_compat; assumption]. Qed.
-Lemma sine_over (x : R) : 0 < x -> Rabs (sin x / x - 1) <= x ^ 2 / 6.
+Lemma sine_over x : 0 < x -> Rabs (sin x / x - 1) <= x ^ 2 / 6.
 Proof. intro X. assert (E : x * (sin x / x) = sin x) by (field; lra). generalize (cubic_below x X). intro. apply Rabs_le. nra. Qed.
-Lemma hump_after (k epsilon d : R) : 0 < k -> 0 < epsilon <= / (2 * k) -> 0 < d <= / (2 * k) -> Rabs (of_a_hump k epsilon d - tent k epsilon d) <=
-  room k epsilon.
+Lemma hump_after k epsilon d : 0 < k -> 0 < epsilon <= / (2 * k) -> 0 < d <= / (2 * k) -> Rabs (of_a_hump k epsilon d - tent k epsilon d) <= room
+  k epsilon.
 Proof.
   intros K E D. generalize PI_RGT_0. intro P. assert (I : k * / (2 * k) = 1 / 2) by (field; lra). assert (Q : 0 < PI * k) by nra.
   unfold of_a_hump, tent, room. rewrite sign_eq_1, (Rabs_pos_eq d), Rmult_plus_distr_l, Rmult_minus_distr_l, Rmult_plus_distr_l, Rmult_minus_distr_l,
     Rmult_1_l by lra.
   set (x := PI * (k * epsilon)). set (y := PI * (k * d)). assert (B : forall t, 0 < t <= / (2 * k) -> 0 < PI * (k * t) <= PI / 2) by (intros t T;
     assert (0 < k * t <= 1 / 2) by nra; nra).
-  assert (X : 0 < x <= PI / 2) by (apply B, E). assert (Y : 0 < y <= PI / 2) by (apply B, D). rewrite (Rabs_pos_eq (sin (y + x))) by (apply sin_ge_0; lra).
+  assert (X : 0 < x <= PI / 2) by (apply B, E). assert (Y : 0 < y <= PI / 2) by (apply B, D). rewrite (Rabs_pos_eq (sin (y + x))) by (apply
+    sin_ge_0; lra).
   replace (PI * k * epsilon) with x by (unfold x; ring). assert (M : forall q, Rabs q <= 2 / 3 * x ^ 2 -> Rabs (PI * k * q) <= 2 / 3 * (PI * k) * x ^
     2) by (intros q H; rewrite Rabs_mult, (Rabs_pos_eq (PI * k)) by lra; nra).
   destruct (Rlt_dec d epsilon) as [L|L].
@@ -50,8 +50,8 @@ Proof.
     replace (_ - _) with (PI * k * (cos y * (sin x / x - 1))) by (rewrite sin_plus, sin_minus; unfold x; field; lra). apply M. rewrite Rabs_mult.
     generalize (sine_over x (proj1 X)) (Rabs_pos (sin x / x - 1)) (cosine_at_most_1 y). nra.
 Qed.
-Lemma hump_beside (k epsilon d : R) : 0 < k -> 0 < epsilon <= / (2 * k) -> - / (2 * k) <= d <= / (2 * k) -> Rabs (of_a_hump k epsilon d - tent k
-  epsilon d) <= room k epsilon.
+Lemma hump_beside k epsilon d : 0 < k -> 0 < epsilon <= / (2 * k) -> - / (2 * k) <= d <= / (2 * k) -> Rabs (of_a_hump k epsilon d - tent k epsilon
+  d) <= room k epsilon.
 Proof.
   intros K E D. assert (S : of_a_hump k epsilon (- d) - tent k epsilon (- d) = - (of_a_hump k epsilon d - tent k epsilon d)).
   { unfold of_a_hump, tent. rewrite Rabs_Ropp, sign_opp. replace (- d + epsilon) with (- (d - epsilon)) by ring. replace (- d - epsilon) with (- (d +
@@ -61,12 +61,11 @@ Proof.
   rewrite Ropp_0 in S. replace (_ - _) with 0 by lra. rewrite Rabs_R0. left. apply some_room; lra.
 Qed.
 
-
 (* The error of a half-wave's difference, by the nearest crease. *)
-Definition error_along_u (k epsilon x : R) : R := (Rabs (sin (PI * (k * (x + epsilon)))) - Rabs (sin (PI * (k * (x - epsilon))))) / (2 * epsilon) -
+Definition error_along_u (k epsilon x : R) := (Rabs (sin (PI * (k * (x + epsilon)))) - Rabs (sin (PI * (k * (x - epsilon))))) / (2 * epsilon) -
   slope_of_wave k x.
-Lemma error_beside (k epsilon x : R) (m : Z) : 0 < k -> - / (2 * k) <= x - IZR m / k <= / (2 * k) -> error_along_u k epsilon x = of_a_hump k epsilon
-  (x - IZR m / k).
+Lemma error_beside k epsilon x m : 0 < k -> - / (2 * k) <= x - IZR m / k <= / (2 * k) -> error_along_u k epsilon x = of_a_hump k epsilon (x - IZR
+  m / k).
 Proof.
   intros K D. set (d := x - IZR m / k) in *. replace x with (d + IZR m / k) by (unfold d; ring). assert (1 / k = / (2 * k) + / (2 * k)) by (field;
     lra). assert (0 < / (2 * k)) by (apply Rinv_0_lt_compat; lra).
@@ -75,24 +74,25 @@ Proof.
   rewrite !beyond_a_crease by (apply sine_of_whole || lra). same_angles. reflexivity.
 Qed.
 (* In v, where it may be clamped. *)
-Definition error_along_v (k epsilon v : R) : R := clamped (fun v => Rabs (sin (PI * (k * v)))) v epsilon - slope_of_wave k v.
-Lemma not_clamped (k epsilon v : R) : 0 < epsilon -> 0 <= v - epsilon -> v + epsilon <= 1 -> error_along_v k epsilon v = error_along_u k epsilon v.
+Definition error_along_v (k epsilon v : R) := clamped (fun v => Rabs (sin (PI * (k * v)))) v epsilon - slope_of_wave k v.
+Lemma not_clamped k epsilon v : 0 < epsilon -> 0 <= v - epsilon -> v + epsilon <= 1 -> error_along_v k epsilon v = error_along_u k epsilon v.
 Proof.
   intros E A B. unfold error_along_v, clamped. central_sine.lines. destruct (both _ _) as [_|[H|H]]; [|lra|lra]. rewrite Rmin_right, Rmax_left,
     (Rplus_comm epsilon) by lra. reflexivity.
 Qed.
 
 (* Clamped at a pole the difference is as good; the upper pole is the lower one, seen from there. *)
-Lemma error_at_the_pole (k epsilon v : R) : 0 < k -> 0 < epsilon <= / (2 * k) -> epsilon <= 1 / 2 -> 0 < v < epsilon -> Rabs (error_along_v k epsilon
-  v) <= room k epsilon.
+Lemma error_at_the_pole k epsilon v : 0 < k -> 0 < epsilon <= / (2 * k) -> epsilon <= 1 / 2 -> 0 < v < epsilon -> Rabs (error_along_v k epsilon v)
+  <= room k epsilon.
 Proof.
   intros K E E2 V. generalize PI_RGT_0. intro P. assert (I : k * / (2 * k) = 1 / 2) by (field; lra). assert (L : k * (v + epsilon) <= 1) by nra.
-  eapply Rle_trans; [apply (of_an_odd_sine 1 k); try lra; [rewrite Rabs_R1; lra | intros w W; rewrite Rmult_1_l; apply Rabs_pos_eq, sine_on_a_hump; nra|]|].
+  eapply Rle_trans; [apply (of_an_odd_sine 1 k); try lra; [rewrite Rabs_R1; lra | intros w W; rewrite Rmult_1_l; apply Rabs_pos_eq,
+    sine_on_a_hump; nra|]|].
   - unfold slope_of_wave. rewrite sign_eq_1; [ring|]. assert (0 < k * v) by nra. assert (k * v < 1) by nra. apply sin_gt_0; nra.
   - unfold room. replace (2 / 3 * (PI * k) * (PI * k * epsilon) ^ 2) with (2 / 3 * epsilon ^ 2 * (PI * k) ^ 3) by ring. apply Rmult_le_compat_r;
     [apply pow_le; nra | nra].
 Qed.
-Lemma seen_from_the_other_pole (k : Z) (epsilon v : R) : error_along_v (IZR k) epsilon (1 - v) = - error_along_v (IZR k) epsilon v.
+Lemma seen_from_the_other_pole k epsilon v : error_along_v (IZR k) epsilon (1 - v) = - error_along_v (IZR k) epsilon v.
 Proof.
   assert (S : forall w, Rabs (sin (PI * (IZR k * (1 - w)))) = Rabs (sin (PI * (IZR k * w)))).
   { intro w. replace (PI * _) with (PI * IZR k + - (PI * (IZR k * w))) by ring. rewrite sine_of_a_shift, sin_neg. apply Rabs_Ropp. }
@@ -105,7 +105,6 @@ Proof.
     ring. rewrite sin_plus, cos_plus, sin_neg, cos_neg, sine_of_whole, !Rmult_0_r, Rplus_0_r, sign_mult, sign_opp.
   destruct (cosine_of_whole k) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; unfold Rdiv; ring.
 Qed.
-
 
 (* The mean square of the error is there: it is continuous between creases. *)
 Lemma square_has_a_mean (k : nat) (f C : R -> R) : (0 < k)%nat -> (forall x, 0 <= x <= 1 -> continuity_pt C x) -> (forall x, 0 < x < 1 -> f x = C x -
@@ -133,8 +132,9 @@ Lemma mean_at_most (f g : R -> R) (F G b : R) : is_RInt (fun x => f x ^ 2) 0 1 F
 Proof.
   intros IF IG D B. assert (G0 : 0 <= G) by exact (is_RInt_ge_0 _ 0 1 G Rle_0_1 IG (fun x _ => pow2_ge_0 (g x))). generalize (sqrt_pos (G / 2))
     (pow2_sqrt (G / 2) ltac:(lra)). set (s := sqrt (G / 2)). intros S Q.
-  set (p := s + b). set (i := / p). assert (P : i * p = 1) by (apply Rinv_l; unfold p; lra). assert (I : 0 < i) by (apply Rinv_0_lt_compat; unfold p; lra).
-  assert (J := is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * p + b ^ 2)))).
+  set (p := s + b). set (i := / p). assert (P : i * p = 1) by (apply Rinv_l; unfold p; lra). assert (I : 0 < i) by (apply Rinv_0_lt_compat; unfold
+    p; lra).
+  pose proof is_RInt_le _ _ 0 1 _ _ Rle_0_1 IF (is_RInt_plus _ _ _ _ _ _ (is_RInt_scal _ _ _ (1 + b * i) _ IG) (is_RInt_const 0 1 (b * p + b ^ 2))) as J.
   unfold plus, scal in J. simpl in J. unfold mult in J. simpl in J. rewrite <- (sqrt_pow2 p) by (unfold p; lra). apply sqrt_le_1_alt. lapply J.
   - replace G with (2 * s ^ 2) by lra. assert (0 <= b * s) by nra. assert (i * s <= 1) by (unfold p in P; nra). assert (b * i * (2 * s ^ 2) <= 2 * b *
     s) by nra. unfold p. lra.
@@ -145,21 +145,19 @@ Proof.
       pow2_ge_0]].
 Qed.
 
-
 (* The printed errors are those along u and along v, times the size of the other factor. *)
-Lemma factor_of_u (u v k_u k_v epsilon : R) : (exists n, k_u = IZR n) -> central_ridges.h_u u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v =
+Lemma factor_of_u u v k_u k_v epsilon : (exists n, k_u = IZR n) -> central_ridges.h_u u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v =
   error_along_u k_u epsilon u * Rabs (sin (PI * (k_v * v))).
 Proof.
   intro K. rewrite (proj1 (slope_factors _ _ _ _)). unfold error_along_u; central_ridges.lines. rewrite !Rabs_mult, !wrapped, (Rplus_comm epsilon) by
     (left; exact K). unfold Rdiv. rewrite Rinv_mult. lra.
 Qed.
-Lemma factor_of_v (u v k_u k_v epsilon : R) : central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v = error_along_v k_v epsilon v *
+Lemma factor_of_v u v k_u k_v epsilon : central_ridges.h_v u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v = error_along_v k_v epsilon v *
   Rabs (sin (PI * (k_u * u))).
 Proof.
   destruct (clamped_difference__of_the_fields u v k_u k_v epsilon) as (_ & -> & _). rewrite (proj2 (slope_factors _ _ _ _)). unfold error_along_v,
     clamped, height_ridges.h. rewrite !Rabs_mult. unfold Rdiv. ring.
 Qed.
-
 
 (* Areas: of a squared tent on either side of its crease, eps/3, *)
 Lemma integral_is (f : R -> R) (a b l l' : R) : is_RInt f a b l -> l = l' -> is_RInt f a b l'.
@@ -181,7 +179,7 @@ Proof.
   - unfold minus, plus, opp. simpl. destruct S as [-> | ->]; field; lra.
 Qed.
 (* and of those over the chart: one hump each, without overlap, around the creases between whose middles it lies. *)
-Definition tents (k epsilon x : R) : R := tent k epsilon (x - nearest k x).
+Definition tents (k epsilon x : R) := tent k epsilon (x - nearest k x).
 Section areas.
 Variables (k : nat) (epsilon : R).
 Hypotheses (K : (0 < k)%nat) (E : 0 < epsilon <= / (2 * INR k)).
@@ -216,7 +214,7 @@ Proof.
     replace ((2 * (INR k - 1) + 1) * h) with (1 + -1 * h) by (unfold h; field; lra). intros A B C.
   eapply integral_is; [apply (is_RInt_Chasles _ _ _ _ _ _ A (is_RInt_Chasles _ _ _ _ _ _ C B))|]. unfold plus, opp. simpl. ring.
 Qed.
-Definition inner (x : R) : R := if both (Rlt_dec h x) (Rlt_dec x (1 - h)) then tents (INR k) epsilon x else 0.
+Definition inner (x : R) := if both (Rlt_dec h x) (Rlt_dec x (1 - h)) then tents (INR k) epsilon x else 0.
 Lemma tents_in_v : is_RInt (fun x => inner x ^ 2) 0 1 ((INR k - 1) * (2 * area)).
 Proof.
   generalize reach_is. intros [K1 H]. generalize (inner_tents (k - 1)). rewrite minus_INR by lia. simpl (INR 1). replace ((2 * (INR k - 1) + 1) * h)
@@ -226,19 +224,19 @@ Proof.
   unfold plus. simpl. ring.
 Qed.
 
-Lemma near_tents_in_u (u : R) : Rabs (error_along_u (INR k) epsilon u - tents (INR k) epsilon u) <= room (INR k) epsilon.
+Lemma near_tents_in_u u : Rabs (error_along_u (INR k) epsilon u - tents (INR k) epsilon u) <= room (INR k) epsilon.
 Proof.
   generalize k_pos. intro P. unfold tents. destruct (near_the_nearest _ u P) as (m & -> & D). rewrite (error_beside _ _ _ m) by assumption. apply
     hump_beside; lra.
 Qed.
-Lemma near_the_pole (v : R) : 0 < v <= h -> Rabs (error_along_v (INR k) epsilon v) <= room (INR k) epsilon.
+Lemma near_the_pole v : 0 < v <= h -> Rabs (error_along_v (INR k) epsilon v) <= room (INR k) epsilon.
 Proof.
   generalize k_pos reach_is. unfold h. intros P [R1 R2] V. destruct (Rlt_le_dec v epsilon) as [L|L]; [apply error_at_the_pole; lra|].
   assert (Z : v - 0 / INR k = v) by (field; lra). rewrite not_clamped, (error_beside _ _ v 0), Z by lra. rewrite <- (Rminus_0_r (of_a_hump _ _ _)).
     replace 0 with (tent (INR k) epsilon v); [apply hump_after; lra|].
   unfold tent. rewrite Rabs_pos_eq by lra. destruct (Rlt_dec _ _); lra.
 Qed.
-Lemma near_tents_in_v (v : R) : 0 < v < 1 -> Rabs (error_along_v (INR k) epsilon v - inner v) <= room (INR k) epsilon.
+Lemma near_tents_in_v v : 0 < v < 1 -> Rabs (error_along_v (INR k) epsilon v - inner v) <= room (INR k) epsilon.
 Proof.
   generalize reach_is. intros [R1 R2] V. unfold inner. destruct (both _ _) as [[A B]|[A|A]]; [rewrite not_clamped by lra; apply near_tents_in_u |
     rewrite Rminus_0_r; apply near_the_pole; lra |].
@@ -253,7 +251,8 @@ Lemma mean_in_v : ex_RInt (fun v => error_along_v (INR k) epsilon v ^ 2) 0 1.
 Proof.
   set (up v := (1 + epsilon + v - Rabs (1 - epsilon - v)) / 2). set (down v := (v - epsilon + Rabs (v - epsilon)) / 2).
   assert (U : forall v, central_sine.v_plus v epsilon = up v) by (intro v; unfold up, central_sine.v_plus, Rmin, Rabs; destruct Rle_dec, Rcase_abs; lra).
-  assert (D : forall v, central_sine.v_minus v epsilon = down v) by (intro v; unfold down, central_sine.v_minus, Rmax, Rabs; destruct Rle_dec, Rcase_abs; lra).
+  assert (D : forall v, central_sine.v_minus v epsilon = down v) by (intro v; unfold down, central_sine.v_minus, Rmax, Rabs; destruct Rle_dec,
+    Rcase_abs; lra).
   assert (S : forall v, 0 < v < 1 -> central_sine.span_v v epsilon = up v - down v) by (intros v V; unfold central_sine.span_v; rewrite U, D; unfold
     up, down, Rabs; destruct both as [[]|[]]; repeat destruct Rcase_abs; lra).
   generalize reach_is. unfold h. intros [R1 R2].
@@ -263,36 +262,35 @@ Proof.
 Qed.
 End areas.
 
-
 (* Over all of the chart the error is the tents' up to 2/3 pi k (pi k eps)^2, times the other factor. *)
-Lemma times_a_sine (x y s b : R) : Rabs (x - y) <= b -> Rabs (x * Rabs (sin s) - y * Rabs (sin s)) <= b.
+Lemma times_a_sine x y s b : Rabs (x - y) <= b -> Rabs (x * Rabs (sin s) - y * Rabs (sin s)) <= b.
 Proof.
   intro H. rewrite <- Rmult_minus_distr_r, Rabs_mult, Rabs_Rabsolu. generalize (sine_at_most_1 s) (Rabs_pos (x - y)) (Rabs_pos (sin s)). nra.
 Qed.
-Theorem crease_error_area__near_the_tents (k : nat) (epsilon u v w : R) : (0 < k)%nat -> 0 < epsilon <= / (2 * INR k) ->
-  Rabs (central_ridges.h_u u w (INR k) v epsilon - gradient_ridges.h_u u w (INR k) v - tents (INR k) epsilon u * Rabs (sin (PI * (v * w)))) <= room
-    (INR k) epsilon /\
-  (0 < v < 1 -> Rabs (central_ridges.h_v u v w (INR k) epsilon - gradient_ridges.h_v u v w (INR k) - inner k epsilon v * Rabs (sin (PI * (w * u)))) <=
-    room (INR k) epsilon).
+Theorem crease_error_area__near_the_tents k epsilon u v w : (0 < k)%nat -> 0 < epsilon <= / (2 * INR k) -> Rabs (central_ridges.h_u u w (INR k) v
+  epsilon - gradient_ridges.h_u u w (INR k) v - tents (INR k) epsilon u * Rabs (sin (PI * (v * w)))) <= room (INR k) epsilon /\ (0 < v < 1 -> Rabs
+  (central_ridges.h_v u v w (INR k) epsilon - gradient_ridges.h_v u v w (INR k) - inner k epsilon v * Rabs (sin (PI * (w * u)))) <= room (INR k)
+  epsilon).
 Proof.
   intros K E. split; [|intro V]; rewrite ?factor_of_v, ?factor_of_u by (exists (Z.of_nat k); apply INR_IZR_INZ); apply times_a_sine; [apply
     near_tents_in_u | apply near_tents_in_v]; assumption.
 Qed.
-Theorem crease_error_area__near_the_tents__point : exists (k : nat) (epsilon v : R), (0 < k)%nat /\ 0 < epsilon <= / (2 * INR k) /\ 0 < v < 1.
+Theorem crease_error_area__near_the_tents__point : exists k epsilon v, (0 < k)%nat /\ 0 < epsilon <= / (2 * INR k) /\ 0 < v < 1.
 Proof. exists 1%nat, (1/2), (1/2). simpl. repeat split; try lra. lia. Qed.
 (* It is not that small without the tents. *)
 Theorem crease_error_area__near_the_tents__false : ~ forall epsilon u, 0 < epsilon <= / (2 * INR 1) -> Rabs (central_ridges.h_u u (1/2) (INR 1) 1
   epsilon - gradient_ridges.h_u u (1/2) (INR 1) 1) <= room (INR 1) epsilon.
 Proof.
   intro H. generalize (H (1/8) (1/16) ltac:(simpl; lra)). simpl INR. rewrite factor_of_u by (exists 1%Z; reflexivity). unfold error_along_u,
-    slope_of_wave, room. rewrite sine_of_a_right_angle, sign_eq_1 by interval. apply Rlt_not_le. interval.
+    slope_of_wave, room. rewrite half_sine, sign_eq_1 by interval. apply Rlt_not_le. interval.
 Qed.
 
 (* There are k tents in u and k - 1 in v, none over another: these are the areas of their squares, of eps/3 to either side. *)
-Theorem crease_error_area__of_all_tents (k : nat) (epsilon : R) : (0 < k)%nat -> 0 < epsilon <= / (2 * INR k) -> let area := (PI * INR k) ^ 2 * (epsilon / 3) in
+Theorem crease_error_area__of_all_tents (k : nat) (epsilon : R) : (0 < k)%nat -> 0 < epsilon <= / (2 * INR k) -> let area := (PI * INR k) ^ 2 *
+  (epsilon / 3) in
   is_RInt (fun u => tents (INR k) epsilon u ^ 2) 0 1 (INR k * (2 * area)) /\ is_RInt (fun v => inner k epsilon v ^ 2) 0 1 ((INR k - 1) * (2 * area)).
 Proof. intros K E. split; [apply tents_in_u | apply tents_in_v]; assumption. Qed.
-Theorem crease_error_area__of_all_tents__point : exists (k : nat) (epsilon : R), (0 < k)%nat /\ 0 < epsilon <= / (2 * INR k).
+Theorem crease_error_area__of_all_tents__point : exists k epsilon, (0 < k)%nat /\ 0 < epsilon <= / (2 * INR k).
 Proof. exists 1%nat, (1/2). simpl. split; [lia | lra]. Qed.
 Theorem crease_error_area__of_all_tents__false : ~ forall k epsilon, (0 < k)%nat -> 0 < epsilon <= / (2 * INR k) -> is_RInt (fun v => inner k epsilon
   v ^ 2) 0 1 (INR k * (2 * ((PI * INR k) ^ 2 * (epsilon / 3)))).
@@ -325,13 +323,15 @@ Proof.
   intros K K' E N [F IF] IG D W. set (G := n * _) in IG. assert (P : 0 < INR k) by (apply lt_0_INR, K). generalize PI_RGT_0. intro Q. set (w y := Rabs
     (sin (PI * (INR k' * y)))).
   exists (fun y => scal (w y ^ 2) F), (F * (1 / 2)). split; [|split].
-  - intro y. eapply is_RInt_ext; [|apply (is_RInt_scal _ _ _ (w y ^ 2) _ IF)]. intros x _. rewrite W. unfold scal. simpl. unfold mult. simpl. fold (w y). ring.
+  - intro y. eapply is_RInt_ext; [|apply (is_RInt_scal _ _ _ (w y ^ 2) _ IF)]. intros x _. rewrite W. unfold scal. simpl. unfold mult. simpl. fold
+    (w y). ring.
   - eapply is_RInt_ext; [|apply (is_RInt_scal _ _ _ F _ (mean_of_a_sine k' K'))]. intros y _. apply Rmult_comm.
   - replace (PI * INR k * sqrt (n * epsilon / 3)) with (sqrt (G / 2)).
-    + assert (B := some_room _ _ P E). generalize (mean_at_most along tent F G _ IF IG D B) (mean_at_most tent along G F _ IG IF (fun x X => eq_ind _
+    + pose proof some_room _ _ P E as B. generalize (mean_at_most along tent F G _ IF IG D B) (mean_at_most tent along G F _ IG IF (fun x X => eq_ind _
       (fun z => z <= _) (D x X) _ (Rabs_minus_sym _ _)) B).
       intros. unfold Rdiv. rewrite Rmult_1_l. apply Rabs_le. lra.
-    + replace (G / 2) with ((PI * INR k) ^ 2 * (n * epsilon / 3)) by (unfold G; field). rewrite sqrt_mult, sqrt_pow2 by (try apply pow2_ge_0; nra). reflexivity.
+    + replace (G / 2) with ((PI * INR k) ^ 2 * (n * epsilon / 3)) by (unfold G; field). rewrite sqrt_mult, sqrt_pow2 by (try apply pow2_ge_0;
+      nra). reflexivity.
 Qed.
 Theorem crease_error_area__root_mean_squares (k_u k_v : nat) (epsilon : R) : (0 < k_u)%nat -> (0 < k_v)%nat ->
   (0 < epsilon <= / (2 * INR k_u) -> exists (means : R -> R) (mean : R),
@@ -356,8 +356,8 @@ Proof.
   - apply near_tents_in_v; auto.
   - intros. apply factor_of_v.
 Qed.
-Theorem crease_error_area__root_mean_squares__point : exists (k_u k_v : nat) (epsilon : R), (0 < k_u)%nat /\ (0 < k_v)%nat /\ 0 < epsilon <= / (2 *
-  INR k_u) /\ 0 < epsilon <= / (2 * INR k_v).
+Theorem crease_error_area__root_mean_squares__point : exists k_u k_v epsilon, (0 < k_u)%nat /\ (0 < k_v)%nat /\ 0 < epsilon <= / (2 * INR k_u) /\
+  0 < epsilon <= / (2 * INR k_v).
 Proof. exists 1%nat, 1%nat, (1/2). simpl. repeat split; try lra; lia. Qed.
 (* One tent fewer than k_v: where there is none, the error is much less. *)
 Theorem crease_error_area__root_mean_squares__false : ~ forall (k_u k_v : nat) (epsilon : R), 0 < epsilon <= / (2 * INR k_v) -> exists (means : R ->

@@ -1,10 +1,9 @@
 (* Differences across the creases of ridges, its slopes beside them, and the seam. *)
 
-From Coq Require Import Reals Lra Psatz Lia ZArith.
+From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Fields Claim Derivatives Camera Clamped.
-From Formal Require Statements.
 Open Scope R_scope.
 
 (* A difference that straddles a crease *)
@@ -13,14 +12,14 @@ Ltac beside_half := replace (PI * (1 / 2 * 1)) with (PI / 2) by field; rewrite s
 (* Beyond a whole number of half-turns the sine is the same but for its sign. *)
 Theorem straddling__every_crease : Statements.straddling__every_crease.
 Proof.
-  red. intros d m Z. assert (C : cos (PI * m) ^ 2 = 1) by (generalize (sin2_cos2 (PI * m)); unfold Rsqr; rewrite Z; nra).
+  intros d m Z. assert (C : cos (PI * m) ^ 2 = 1) by (generalize (sin2_cos2 (PI * m)); unfold Rsqr; rewrite Z; nra).
   rewrite sin_plus, Z. apply Rsqr_eq_abs_0. rewrite !Rsqr_pow2. transitivity (sin d ^ 2 * cos (PI * m) ^ 2); [ring | rewrite C; ring].
 Qed.
-Lemma beyond_a_crease (k m t : R) : k <> 0 -> sin (PI * m) = 0 -> Rabs (sin (PI * (k * (t + m / k)))) = Rabs (sin (t * PI * k)).
+Lemma beyond_a_crease k m t : k <> 0 -> sin (PI * m) = 0 -> Rabs (sin (PI * (k * (t + m / k)))) = Rabs (sin (t * PI * k)).
 Proof. intros K M. rewrite <- (straddling__every_crease (t * PI * k) m M). do 2 f_equal. field. exact K. Qed.
 Theorem straddling__value : Statements.straddling__value.
 Proof.
-  red. intros d e k E K A B C D. generalize (sine_on_a_hump (k * (d + e)) ltac:(nra)) (sine_on_a_hump (k * (e - d)) ltac:(nra)). beside_half. intros S T.
+  intros d e k E K A B C D. generalize (sine_on_a_hump (k * (d + e)) ltac:(nra)) (sine_on_a_hump (k * (e - d)) ltac:(nra)). beside_half. intros S T.
   replace (PI * (k * (d - e))) with (- (PI * (k * (e - d)))) by ring. rewrite sin_neg, Rabs_Ropp, (Rabs_pos_eq _ S), (Rabs_pos_eq _ T). split; [lra|].
     alike. field. lra.
 Qed.
@@ -28,20 +27,20 @@ Theorem straddling__at_the_crease : Statements.straddling__at_the_crease.
 Proof. claim. Qed.
 Theorem straddling__slope_after : Statements.straddling__slope_after.
 Proof.
-  red. intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_1 by lra. ring.
+  intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_1 by lra. ring.
 Qed.
 Theorem straddling__slope_before : Statements.straddling__slope_before.
 Proof.
-  red. intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_m1 by lra. ring.
+  intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_m1 by lra. ring.
 Qed.
 
 (* Beside any crease of ridges, in u and in v: what the kernels print as difference and as slope. *)
-Lemma sine_of_whole (n : Z) : sin (PI * IZR n) = 0.
+Lemma sine_of_whole n : sin (PI * IZR n) = 0.
 Proof. apply sin_eq_0_1. exists n. ring. Qed.
-Lemma sine_of_a_shift (m : Z) (x : R) : Rabs (sin (PI * IZR m + x)) = Rabs (sin x).
+Lemma sine_of_a_shift m x : Rabs (sin (PI * IZR m + x)) = Rabs (sin x).
 Proof. rewrite Rplus_comm. apply straddling__every_crease, sine_of_whole. Qed.
-Lemma across_a_crease (k d e : R) (m : Z) : 0 < k -> Rabs d < e -> e + Rabs d <= 1 / k ->
-  Rabs (sin (PI * (k * (IZR m / k + d + e)))) - Rabs (sin (PI * (k * (IZR m / k + d - e)))) = 2 * (cos (PI * (k * e)) * sin (PI * (k * d))).
+Lemma across_a_crease k d e m : 0 < k -> Rabs d < e -> e + Rabs d <= 1 / k -> Rabs (sin (PI * (k * (IZR m / k + d + e)))) - Rabs (sin (PI * (k *
+  (IZR m / k + d - e)))) = 2 * (cos (PI * (k * e)) * sin (PI * (k * d))).
 Proof.
   intros K A B. apply Rabs_def2 in A as A'. assert (L : - (1 / k - e) <= d <= 1 / k - e) by (apply Rabs_le_between; lra).
   assert (I : k * (1 / k) = 1) by (field; lra). replace (IZR m / k + d + e) with (d + e + IZR m / k) by ring. replace (IZR m / k + d - e) with (d - e
@@ -51,16 +50,16 @@ Proof.
   apply (f_equal (fun x => 2 * e * x)) in V. field_simplify in V; [|lra ..]. revert V. same_angles. lra.
 Qed.
 (* Whole k_u leaves ridges the same across the seam; any k_u where the sample is inside. *)
-Lemma wrapped (k w : R) : (exists n, k = IZR n) \/ 0 <= w < 1 -> Rabs (sin (PI * (k * (w - IZR (Int_part w))))) = Rabs (sin (PI * (k * w))).
+Lemma wrapped k w : (exists n, k = IZR n) \/ 0 <= w < 1 -> Rabs (sin (PI * (k * (w - IZR (Int_part w))))) = Rabs (sin (PI * (k * w))).
 Proof.
   intros [[n ->]|I]; [|rewrite floor_of_a_fraction, Rminus_0_r by exact I; reflexivity]. set (i := Int_part w).
   rewrite <- (sine_of_a_shift (n * i) (PI * (IZR n * (w - IZR i)))), mult_IZR. do 2 f_equal. ring.
 Qed.
-Theorem straddling__of_the_difference (u v k_u k_v d epsilon : R) (m : Z) : Rabs d < epsilon ->
-  (0 < k_u -> epsilon + Rabs d <= 1 / k_u -> (exists n, k_u = IZR n) \/ 0 <= IZR m / k_u + d - epsilon /\ IZR m / k_u + d + epsilon < 1 ->
-    central_ridges.h_u (IZR m / k_u + d) v k_u k_v epsilon = cos (PI * (k_u * epsilon)) * sin (PI * (k_u * d)) / epsilon * Rabs (sin (PI * (k_v * v)))) /\
-  (0 < k_v -> epsilon + Rabs d <= 1 / k_v -> 0 <= IZR m / k_v + d - epsilon -> IZR m / k_v + d + epsilon <= 1 ->
-    central_ridges.h_v u (IZR m / k_v + d) k_u k_v epsilon = cos (PI * (k_v * epsilon)) * sin (PI * (k_v * d)) / epsilon * Rabs (sin (PI * (k_u * u)))).
+Theorem straddling__of_the_difference u v k_u k_v d epsilon m : Rabs d < epsilon -> (0 < k_u -> epsilon + Rabs d <= 1 / k_u -> (exists n, k_u =
+  IZR n) \/ 0 <= IZR m / k_u + d - epsilon /\ IZR m / k_u + d + epsilon < 1 -> central_ridges.h_u (IZR m / k_u + d) v k_u k_v epsilon = cos (PI *
+  (k_u * epsilon)) * sin (PI * (k_u * d)) / epsilon * Rabs (sin (PI * (k_v * v)))) /\ (0 < k_v -> epsilon + Rabs d <= 1 / k_v -> 0 <= IZR m / k_v
+  + d - epsilon -> IZR m / k_v + d + epsilon <= 1 -> central_ridges.h_v u (IZR m / k_v + d) k_u k_v epsilon = cos (PI * (k_v * epsilon)) * sin (PI
+  * (k_v * d)) / epsilon * Rabs (sin (PI * (k_u * u)))).
 Proof.
   intro A. assert (E : 0 < epsilon) by (generalize (Rabs_pos d); lra). split; intro K.
   - intros B I. generalize (across_a_crease k_u d epsilon m K A B). set (x := IZR m / k_u + d) in *. intro D.
@@ -78,16 +77,16 @@ Proof.
   assert (Z : Rabs 0 < 1/2) by (rewrite Rabs_R0; lra). assert (B : 1/2 + Rabs 0 <= 1 / 1) by (rewrite Rabs_R0; lra).
   intro H. generalize (H (1/2) 1 0 (1/2) Z B) PI_RGT_0. rewrite (proj1 (straddling__of_the_difference 0 (1/2) 1 1 0 (1/2) 0 Z) Rlt_0_1 B (or_introl
     (ex_intro _ 1%Z eq_refl))).
-  rewrite sine_of_a_right_angle, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
+  rewrite half_sine, !Rmult_0_r, sin_0, cos_0, Rabs_R1. lra.
 Qed.
-Lemma cosine_of_whole (m : Z) : cos (PI * IZR m) = 1 \/ cos (PI * IZR m) = - (1).
+Lemma cosine_of_whole m : cos (PI * IZR m) = 1 \/ cos (PI * IZR m) = - (1).
 Proof. apply Rsqr_eq. rewrite cos2, sine_of_whole. unfold Rsqr. ring. Qed.
 (* The slope of a half-wave |sin pi k x|, where it has one. *)
-Definition slope_of_wave (k x : R) : R := PI * k * cos (PI * (k * x)) * sign (sin (PI * (k * x))).
-Lemma slope_factors (u v k_u k_v : R) : gradient_ridges.h_u u v k_u k_v = slope_of_wave k_u u * Rabs (sin (PI * (k_v * v))) /\
-  gradient_ridges.h_v u v k_u k_v = slope_of_wave k_v v * Rabs (sin (PI * (k_u * u))).
+Definition slope_of_wave (k x : R) := PI * k * cos (PI * (k * x)) * sign (sin (PI * (k * x))).
+Lemma slope_factors u v k_u k_v : gradient_ridges.h_u u v k_u k_v = slope_of_wave k_u u * Rabs (sin (PI * (k_v * v))) /\ gradient_ridges.h_v u v
+  k_u k_v = slope_of_wave k_v v * Rabs (sin (PI * (k_u * u))).
 Proof. unfold slope_of_wave. unfold_fields. rewrite sign_mult, <- !times_its_sign. split; ring. Qed.
-Lemma slope_beside (k d : R) (m : Z) : 0 < k -> Rabs d < 1 / k -> slope_of_wave k (IZR m / k + d) = sign d * PI * k * cos (PI * (k * d)).
+Lemma slope_beside k d m : 0 < k -> Rabs d < 1 / k -> slope_of_wave k (IZR m / k + d) = sign d * PI * k * cos (PI * (k * d)).
 Proof.
   intros K D. apply Rabs_def2 in D. generalize PI_RGT_0. intro P. assert (I : k * (1 / k) = 1) by (field; lra).
   assert (S : sign (sin (PI * (k * d))) = sign d).
@@ -98,17 +97,16 @@ Proof.
   rewrite sin_plus, cos_plus, sine_of_whole, !Rmult_0_r, Rplus_0_r, sign_mult, S.
   destruct (cosine_of_whole m) as [-> | ->]; [rewrite (sign_eq_1 1) by lra | rewrite (sign_eq_m1 (- (1))) by lra]; ring.
 Qed.
-Theorem straddling__of_the_slope (u v k_u k_v d : R) (m : Z) :
-  (0 < k_u -> 0 < Rabs d < 1 / k_u -> gradient_ridges.h_u (IZR m / k_u + d) v k_u k_v = sign d * PI * k_u * cos (PI * (k_u * d)) * Rabs (sin (PI *
-    (k_v * v)))) /\
-  (0 < k_v -> 0 < Rabs d < 1 / k_v -> gradient_ridges.h_v u (IZR m / k_v + d) k_u k_v = sign d * PI * k_v * cos (PI * (k_v * d)) * Rabs (sin (PI * (k_u * u)))).
+Theorem straddling__of_the_slope u v k_u k_v d m : (0 < k_u -> 0 < Rabs d < 1 / k_u -> gradient_ridges.h_u (IZR m / k_u + d) v k_u k_v = sign d *
+  PI * k_u * cos (PI * (k_u * d)) * Rabs (sin (PI * (k_v * v)))) /\ (0 < k_v -> 0 < Rabs d < 1 / k_v -> gradient_ridges.h_v u (IZR m / k_v + d)
+  k_u k_v = sign d * PI * k_v * cos (PI * (k_v * d)) * Rabs (sin (PI * (k_u * u)))).
 Proof. split; intros K [_ D]; [rewrite (proj1 (slope_factors _ _ _ _)) | rewrite (proj2 (slope_factors _ _ _ _))]; rewrite slope_beside by assumption;
   reflexivity. Qed.
 Theorem straddling__of_the_slope__false : ~ forall v k_v d, 0 < Rabs d < 1 -> gradient_ridges.h_u (0 / 1 + d) v 1 k_v = PI * 1 * cos (PI * (1 * d)) *
   Rabs (sin (PI * (k_v * v))).
 Proof.
   assert (D : 0 < Rabs (- (1/4)) < 1 / 1) by (rewrite Rabs_left; lra). intro H. generalize (H (1/2) 1 (- (1/4)) ltac:(lra)).
-  rewrite (proj1 (straddling__of_the_slope 0 (1/2) 1 1 (- (1/4)) 0) Rlt_0_1 D), sign_eq_m1 by lra. rewrite sine_of_a_right_angle, Rabs_R1. apply
+  rewrite (proj1 (straddling__of_the_slope 0 (1/2) 1 1 (- (1/4)) 0) Rlt_0_1 D), sign_eq_m1 by lra. rewrite half_sine, Rabs_R1. apply
     Rlt_not_eq. interval.
 Qed.
 (* So the error beside the crease comes to pi k, slope less difference as the distance falls to 0. *)
@@ -135,14 +133,14 @@ Theorem straddling__error__false : ~ forall v k_v epsilon (k m : Z), 0 < epsilon
 Proof.
   intro H. assert (E : 0 < 1/2 < 1 / 1) by lra. generalize PI_RGT_0 (filterlim_locally_unique _ _ _ (H (1/2) 1 (1/2) 1%Z 0%Z E) (straddling__error
     (1/2) 1 (1/2) 1 0 ltac:(easy) E)).
-  rewrite sine_of_a_right_angle, Rabs_R1. lra.
+  rewrite half_sine, Rabs_R1. lra.
 Qed.
 
 (* Ridges beside its creases, and where they cross *)
 
 Theorem ridges_at_crossings__crossing : Statements.ridges_at_crossings__crossing.
 Proof.
-  red. intros k_u k_v m n a b K L M N. rewrite Rabs_mult, !beyond_a_crease, <- Rabs_mult, pow2_abs by (assumption || lra).
+  intros k_u k_v m n a b K L M N. rewrite Rabs_mult, !beyond_a_crease, <- Rabs_mult, pow2_abs by (assumption || lra).
   assert (S : forall x, sin x ^ 2 <= x ^ 2) by (intro x; rewrite <- (pow2_abs x), <- (pow2_abs (sin x)); apply pow_incr; split; [apply Rabs_pos |
     apply sine_below]).
   generalize (S (a * PI * k_u)) (S (b * PI * k_v)) (pow2_ge_0 (sin (a * PI * k_u) ^ 2 - sin (b * PI * k_v) ^ 2)). intros. repeat split; lra.
@@ -150,13 +148,12 @@ Qed.
 Theorem ridges_at_crossings__flat : Statements.ridges_at_crossings__flat.
 Proof. claim. Qed.
 
-Lemma cubic_below (x : R) : 0 < x -> x * (1 - x ^ 2 / 6) <= sin x <= x.
+Lemma cubic_below x : 0 < x -> x * (1 - x ^ 2 / 6) <= sin x <= x.
 Proof. intro X. generalize (sine_from_below x ltac:(lra)) (sin_lt_x x X). intros. lra. Qed.
 (* At the distance t on either side of a crease m/k, where the other factor of ridges is w. *)
-Lemma either_side (k m t w : R) : k > 0 -> t > 0 -> k * t <= 1 -> sin (PI * m) = 0 ->
-  let f := Rabs (sin (PI * (k * (1 * t + m / k)))) in let g := Rabs (sin (PI * (k * (m / k - t)))) in
-  k <> 0 /\ f = sin (t * PI * k) /\ g = sin (t * PI * k) /\ 
-  t * PI * k * Rabs w * (1 - 1 / 6 * PI ^ 2 * k ^ 2 * t ^ 2) <= sin (t * PI * k) * Rabs w <= t * PI * k * Rabs w.
+Lemma either_side k m t w : k > 0 -> t > 0 -> k * t <= 1 -> sin (PI * m) = 0 -> let f := Rabs (sin (PI * (k * (1 * t + m / k)))) in let g := Rabs
+  (sin (PI * (k * (m / k - t)))) in k <> 0 /\ f = sin (t * PI * k) /\ g = sin (t * PI * k) /\ t * PI * k * Rabs w * (1 - 1 / 6 * PI ^ 2 * k ^ 2 *
+  t ^ 2) <= sin (t * PI * k) * Rabs w <= t * PI * k * Rabs w.
 Proof.
   intros K T L M f g. generalize PI_RGT_0. intro P. assert (X : 0 < t * PI * k <= PI) by (split; [apply Rmult_lt_0_compat; nra | nra]).
   assert (S : Rabs (sin (t * PI * k)) = sin (t * PI * k)) by (apply Rabs_pos_eq, sin_ge_0; lra).
@@ -187,7 +184,7 @@ Theorem ridges_on_creases__no_derivative (u v k_u k_v : R) (m : Z) :
 Proof. split; intros K S; [apply kink_loci__creased_in_u | apply kink_loci__creased_in_v]; try exact S; first [lra | exists m; field; lra]. Qed.
 (* The seed: ridges is differentiable. *)
 Theorem ridges_on_creases__no_derivative__false : ~ forall u v k_u k_v, ex_derive (fun u => height_ridges.h u v k_u k_v) u.
-Proof. intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite sine_of_a_right_angle; lra | apply H]. Qed.
+Proof. intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite half_sine; lra | apply H]. Qed.
 
 (* Where creases cross, ridges is differentiable in both coordinates together, and its derivative is 0. *)
 Theorem ridges_at_crossings__differentiable (k_u k_v : R) (m n : Z) : 0 < k_u -> 0 < k_v ->
@@ -207,7 +204,7 @@ Proof.
   generalize (B 0 0) (B (u - IZR m / k_u) (v - IZR n / k_v)). rewrite !Rplus_0_l, !(Rplus_comm (_ - _)), !Rplus_minus.
   set (a := u - IZR m / k_u) in *. set (b := v - IZR n / k_v) in *. intros Z [K0 H]. rewrite !Rmult_0_l, Rplus_0_l, Rminus_0_r.
   replace (height_ridges.h (IZR m / k_u) (IZR n / k_v) k_u k_v) with 0 by lra. rewrite Rminus_0_r, Rabs_pos_eq by exact K0.
-  rewrite <- (pow2_abs a), <- (pow2_abs b) in H. assert (Y := Rmax_lub_lt _ _ _ U V). apply Rlt_div_r in Y; [|exact D].
+  rewrite <- (pow2_abs a), <- (pow2_abs b) in H. pose proof Rmax_lub_lt _ _ _ U V as Y. apply Rlt_div_r in Y; [|exact D].
   generalize (Rmax_l (Rabs a) (Rabs b)) (Rmax_r (Rabs a) (Rabs b)) (Rabs_pos a) (Rabs_pos b). set (t := Rmax (Rabs a) _) in *. intros.
   eapply Rle_trans; [exact H|]. apply Rle_trans with (t * (PI ^ 2 * c ^ 2) * t); [|apply Rmult_le_compat_r; lra]. assert (Rabs a ^ 2 + Rabs b ^ 2 <= 2
     * t ^ 2) by nra. nra.
@@ -215,7 +212,7 @@ Qed.
 (* Where one crease runs alone it is not. *)
 Theorem ridges_at_crossings__differentiable__false : ~ forall u v, differentiable_pt_lim (fun u v => height_ridges.h u v 1 1) u v 0 0.
 Proof.
-  intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite sine_of_a_right_angle; lra|]. exists (0 * 1 + 0 * 0). apply
+  intro H. apply (proj1 (ridges_on_creases__no_derivative 0 (1/2) 1 1 0)); [lra | rewrite half_sine; lra|]. exists (0 * 1 + 0 * 0). apply
     is_derive_Reals.
   apply (derivable_pt_lim_comp_2d (fun u v => height_ridges.h u v 1 1) (fun u => u) (fun _ => 1/2)); [apply H | apply derivable_pt_lim_id | apply
     derivable_pt_lim_const].

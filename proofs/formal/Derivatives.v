@@ -1,6 +1,6 @@
 (* Tactics for printed claims with sines and derivatives: Coq takes these itself. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Claim.
 Open Scope R_scope.

@@ -1,15 +1,15 @@
 (* The slopes of the error curves of differences on log-log axes, as limits. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Fields Derivatives Clamped Orders.
+From Formal Require Import Formulas Clamped Orders.
 Open Scope R_scope.
 
 (* As the step e tends to 0 from above. *)
-Definition tends_to (f : R -> R) (l : R) : Prop := filterlim f (at_right 0) (locally l).
+Definition tends_to (f : R -> R) (l : R) := filterlim f (at_right 0) (locally l).
 (* An error over e^p tends to C; and where C is not 0, on log-log axes the slope from e to c e, whatever c, to p. *)
-Definition falls_like (error : R -> R) (p C : R) : Prop := tends_to (fun e => error e / Rpower e p) C /\
-  (C <> 0 -> forall c, 0 < c -> c <> 1 -> tends_to (fun e => (ln (Rabs (error (c * e))) - ln (Rabs (error e))) / (ln (c * e) - ln e)) p).
+Definition falls_like (error : R -> R) (p C : R) := tends_to (fun e => error e / Rpower e p) C /\ (C <> 0 -> forall c, 0 < c -> c <> 1 -> tends_to
+  (fun e => (ln (Rabs (error (c * e))) - ln (Rabs (error e))) / (ln (c * e) - ln e)) p).
 
 Lemma tends_ext (f g : R -> R) (d l : R) : 0 < d -> (forall e, 0 < e <= d -> f e = g e) -> tends_to f l -> tends_to g l.
 Proof.
@@ -31,7 +31,7 @@ Qed.
 
 Lemma slope_of_logarithms (error : R -> R) (p C : R) : tends_to (fun e => error e / Rpower e p) C -> falls_like error p C.
 Proof.
-  intro T. split; [exact T|]. intros N c P U. set (q e := error e / Rpower e p) in *. assert (M := multiple_of_step c P).
+  intro T. split; [exact T|]. intros N c P U. set (q e := error e / Rpower e p) in *. pose proof multiple_of_step c P as M.
   assert (L : tends_to (fun e => ln (Rabs (q e))) (ln (Rabs C))).
   { apply (filterlim_comp _ _ _ q (fun y => ln (Rabs y)) _ (locally C)); [exact T|]. apply (ex_derive_continuous (fun y => ln (Rabs y))).
     auto_derive. repeat split; [exact N | apply Rabs_pos_lt, N]. }
@@ -39,7 +39,7 @@ Proof.
   { apply filter_and; [exists (mkposreal 1 Rlt_0_1); trivial|]. apply (T (fun y => y <> 0)). exists (mkposreal _ (Rabs_pos_lt C N)). intros y B E.
     change (Rabs (y - C) < Rabs C) in B. rewrite E, Rminus_0_l, Rabs_Ropp in B. lra. }
   assert (W : ln c <> 0) by (rewrite <- ln_1; intro E; apply U, ln_inv; lra).
-  assert (S := tends_sum _ _ (/ ln c) (- / ln c) _ _ (filterlim_comp _ _ _ _ _ _ _ _ M L) L).
+  pose proof tends_sum _ _ (/ ln c) (- / ln c) _ _ (filterlim_comp _ _ _ _ _ _ _ _ M L) L as S.
   apply (tends_is _ (1 * p + 1 * (/ ln c * ln (Rabs C) + - / ln c * ln (Rabs C)))); [|ring].
   eapply filterlim_ext_loc; [|exact (tends_sum _ _ 1 1 _ _ (filterlim_const p) S)].
   apply (filter_imp (fun e => (0 < e /\ q e <> 0) /\ 0 < c * e /\ q (c * e) <> 0)); [|apply filter_and; [exact Z | exact (M _ Z)]].
@@ -78,7 +78,7 @@ Proof.
   intros D Z T N E -> ->. apply slope_of_logarithms.
   apply (tends_ext (fun t => / d * (F t / t ^ S n) + 0 * (F t / t ^ S n)) _ 1); [lra| |].
   - intros t [P _]. rewrite E, Rpower_pow by exact P. assert (t ^ n <> 0) by (apply pow_nonzero; lra). simpl pow. field. lra.
-  - assert (I := integrated F F1 n l D Z T). eapply tends_is; [exact (tends_sum _ _ (/ d) 0 _ _ I I) | unfold Rdiv; ring].
+  - pose proof integrated F F1 n l D Z T as I. eapply tends_is; [exact (tends_sum _ _ (/ d) 0 _ _ I I) | unfold Rdiv; ring].
 Qed.
 
 (* What is 0 at the step 0, and its derivative there. *)
@@ -87,9 +87,8 @@ Ltac at_0 D := apply derived; [auto_derive; rewrite ?Rmult_0_r, ?Ropp_0, ?Rplus_
   [repeat split; eexists; exact D | erewrite is_derive_unique by exact D; ring] | nothing_at_0].
 
 (* Away from the seam and the poles, order p and coefficient c times the third derivative, *)
-Definition central_falls (p c : R) : Prop := forall (h h1 h2 : R -> R) (x h3 : R), (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2
-  w)) ->
-  is_derive h2 x h3 -> falls_like (fun e => (h (x + e) - h (x - e)) / (2 * e) - h1 x) p (c * h3).
+Definition central_falls (p c : R) := forall (h h1 h2 : R -> R) (x h3 : R), (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2 w))
+  -> is_derive h2 x h3 -> falls_like (fun e => (h (x + e) - h (x - e)) / (2 * e) - h1 x) p (c * h3).
 Theorem difference_slopes__central : central_falls 2 (1/6).
 Proof.
   intros h h1 h2 x h3 D1 D2 D3. apply (falls _ (fun t => h (x + t) - h (x - t) - 2 * t * h1 x) (fun t => h1 (x + t) + h1 (x - t) - 2 * h1 x) 2 2 (2 *
@@ -98,9 +97,8 @@ Proof.
   apply (integrated _ (fun t => h2 (x + t) - h2 (x - t))); [intro; differentiated D2 | nothing_at_0 | at_0 D3].
 Qed.
 (* forward and backward c and - c times the second, *)
-Definition forward_falls (p c : R) : Prop := forall (h h1 : R -> R) (s x h2 : R), (forall w, is_derive h w (h1 w)) -> is_derive h1 x h2 -> s = 1 \/ s
-  = -1 ->
-  falls_like (fun e => forward h s x e - h1 x) p (c * (s * h2)).
+Definition forward_falls (p c : R) := forall (h h1 : R -> R) (s x h2 : R), (forall w, is_derive h w (h1 w)) -> is_derive h1 x h2 -> s = 1 \/ s =
+  -1 -> falls_like (fun e => forward h s x e - h1 x) p (c * (s * h2)).
 Theorem difference_slopes__forward : forward_falls 1 (1/2).
 Proof.
   intros h h1 s x h2 D1 D2 S. apply (falls _ (fun t => s * (h (x + s * t) - h x) - t * h1 x) (fun t => h1 (x + s * t) - h1 x) 1 1 (s * h2));
@@ -108,9 +106,9 @@ Proof.
       field].
 Qed.
 (* of fourth order c times the fifth, *)
-Definition fourth_falls (p c : R) : Prop := forall (h h1 h2 h3 h4 : R -> R) (x h5 : R), (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w
-  (h2 w)) ->
-  (forall w, is_derive h2 w (h3 w)) -> (forall w, is_derive h3 w (h4 w)) -> is_derive h4 x h5 -> falls_like (fun e => fourth h x e - h1 x) p (c * h5).
+Definition fourth_falls (p c : R) := forall (h h1 h2 h3 h4 : R -> R) (x h5 : R), (forall w, is_derive h w (h1 w)) -> (forall w, is_derive h1 w (h2
+  w)) -> (forall w, is_derive h2 w (h3 w)) -> (forall w, is_derive h3 w (h4 w)) -> is_derive h4 x h5 -> falls_like (fun e => fourth h x e - h1 x)
+  p (c * h5).
 Theorem difference_slopes__fourth : fourth_falls 4 (-1/30).
 Proof.
   intros h h1 h2 h3 h4 x h5 D1 D2 D3 D4 D5. apply (falls _ (fun t => h (x - 2 * t) - h (2 * t + x) + 8 * (h (t + x) - h (x - t)) - 12 * t * h1 x)
@@ -122,17 +120,18 @@ Proof.
     at_0 D5].
 Qed.
 (* and clamped at the pole at v = r e c times the second or, where that is 0 at the pole, as an odd field's is, c times the third. *)
-Definition clamped_falls (odd : Prop) (p : R) (c : R -> R -> R -> R) : Prop := forall (h h1 h2 : R -> R) (r h3 : R), (forall w, is_derive h w (h1 w))
-  ->
-  (forall w, is_derive h1 w (h2 w)) -> is_derive h2 0 h3 -> 0 <= r < 1 -> (odd -> h2 0 = 0) -> falls_like (fun e => clamped h (r * e) e - h1 (r * e))
-    p (c r (h2 0) h3).
-Definition of_second (r h2 h3 : R) : R := (1 - r) / 2 * h2.
-Definition of_third (r h2 h3 : R) : R := (1 + 2 * r - 2 * r ^ 2) / 6 * h3.
-Lemma clamped_parts (h h1 : R -> R) (r : R) (n : nat) (l m : R) : 0 <= r < 1 ->
-  tends_to (fun e => (h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) / e ^ S n) l -> tends_to (fun e => (h1 (r * e) - h1 0) / e ^ n) m ->
-  falls_like (fun e => clamped h (r * e) e - h1 (r * e)) (INR n) (/ (1 + r) * l - m).
+Definition clamped_falls (odd : Prop) (p : R) (c : R -> R -> R -> R) := forall (h h1 h2 : R -> R) (r h3 : R), (forall w, is_derive h w (h1 w)) ->
+  (forall w, is_derive h1 w (h2 w)) -> is_derive h2 0 h3 -> 0 <= r < 1 -> (odd -> h2 0 = 0) -> falls_like (fun e => clamped h (r * e) e - h1 (r *
+  e)) p (c r (h2 0) h3).
+Definition of_second (r h2 h3 : R) := (1 - r) / 2 * h2.
+Definition of_third (r h2 h3 : R) := (1 + 2 * r - 2 * r ^ 2) / 6 * h3.
+Lemma clamped_parts (h h1 : R -> R) (r : R) (n : nat) (l m : R) : (forall w, is_derive h w (h1 w)) -> 0 <= r < 1 ->
+  tends_to (fun e => (1 + r) * (h1 ((1 + r) * e) - h1 0) / e ^ n) l -> tends_to (fun e => (h1 (r * e) - h1 0) / e ^ n) m ->
+  falls_like (fun e => clamped h (r * e) e - h1 (r * e)) (INR n) (/ (1 + r) * (l / INR (S n)) - m).
 Proof.
-  intros B L M. apply slope_of_logarithms. apply (tends_is _ (/ (1 + r) * l + -1 * m)); [|ring].
+  intros D B K M. apply slope_of_logarithms. apply (tends_is _ (/ (1 + r) * (l / INR (S n)) + -1 * m)); [|ring].
+  assert (L : tends_to (fun e => (h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) / e ^ S n) (l / INR (S n))) by (apply (integrated _ (fun e => (1 + r) * (h1
+    ((1 + r) * e) - h1 0))); [intro; differentiated D | nothing_at_0 | exact K]).
   apply (tends_ext (fun e => / (1 + r) * ((h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) / e ^ S n) + -1 * ((h1 (r * e) - h1 0) / e ^ n)) _ (/ (1 +
     r)));
     [apply Rinv_0_lt_compat; lra | | exact (tends_sum _ _ _ _ _ _ L M)].
@@ -143,47 +142,41 @@ Qed.
 Theorem difference_slopes__clamped : clamped_falls False 1 of_second /\ clamped_falls True 2 of_third.
 Proof.
   split; intros h h1 h2 r h3 D1 D2 D3 B Z; [unfold of_second | specialize (Z I); unfold of_third].
-  - assert (D := D2 0). replace ((1 - r) / 2 * h2 0) with (/ (1 + r) * ((1 + r) * ((1 + r) * h2 0) / INR 2) - r * h2 0) by (simpl; field; lra).
-    apply (clamped_parts h h1 r 1); [exact B | | at_0 D].
-    apply (integrated (fun e => h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) (fun e => (1 + r) * (h1 ((1 + r) * e) - h1 0))); [intro; differentiated
-      D1 | nothing_at_0 | at_0 D].
+  - pose proof D2 0 as D. replace ((1 - r) / 2 * h2 0) with (/ (1 + r) * ((1 + r) * ((1 + r) * h2 0) / INR 2) - r * h2 0) by (simpl; field; lra).
+    apply (clamped_parts h h1 r 1); [exact D1 | exact B | at_0 D | at_0 D].
   - replace (_ * h3) with (/ (1 + r) * ((1 + r) * (1 + r) * ((1 + r) * h3) / INR 2 / INR 3) - r * (r * h3) / INR 2) by (simpl; field; lra).
-    apply (clamped_parts h h1 r 2); [exact B | |].
-    + apply (integrated (fun e => h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) (fun e => (1 + r) * (h1 ((1 + r) * e) - h1 0))); [intro; differentiated
-      D1 | nothing_at_0 |].
-      apply (integrated _ (fun e => (1 + r) * (1 + r) * h2 ((1 + r) * e))); [intro; differentiated D2 | nothing_at_0 | at_0 D3].
+    apply (clamped_parts h h1 r 2); [exact D1 | exact B | |].
+    + apply (integrated _ (fun e => (1 + r) * (1 + r) * h2 ((1 + r) * e))); [intro; differentiated D2 | nothing_at_0 | at_0 D3].
     + apply (integrated _ (fun e => r * h2 (r * e))); [intro; differentiated D2 | nothing_at_0 | at_0 D3].
 Qed.
 
 (* An error has one order, where its coefficient is not 0, and one coefficient: others are false. *)
-Lemma one_law (error : R -> R) (p q C D : R) : falls_like error p C -> falls_like error q D -> (p = q -> C = D) /\ (C <> 0 -> D <> 0 -> p = q).
+Lemma one_law error p q C D : falls_like error p C -> falls_like error q D -> (p = q -> C = D) /\ (C <> 0 -> D <> 0 -> p = q).
 Proof.
   intros [A S] [B T]. split; [intros <-; exact (filterlim_locally_unique _ _ _ A B) | intros N M].
   assert (two : 0 < 2 /\ 2 <> 1) by (split; lra). destruct two as [P U]. exact (filterlim_locally_unique _ _ _ (S N 2 P U) (T M 2 P U)).
 Qed.
 Ltac polynomials := try (intro; auto_derive; trivial; ring); try (auto_derive; trivial; ring); try lra.
-Lemma two_laws (error : R -> R) (p q C D : R) : falls_like error p C -> falls_like error q D -> (p = q /\ C <> D) \/ (p <> q /\ C <> 0 /\ D <> 0) ->
-  False.
+Lemma two_laws error p q C D : falls_like error p C -> falls_like error q D -> (p = q /\ C <> D) \/ (p <> q /\ C <> 0 /\ D <> 0) -> False.
 Proof. intros A B. destruct (one_law _ _ _ _ _ A B). tauto. Qed.
 Theorem difference_slopes__central__false : ~ central_falls 2 (1/3) /\ ~ central_falls 1 (1/6).
 Proof.
-  assert (T := difference_slopes__central (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) 0 6 ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)).
-  split; intro H; apply (two_laws _ _ _ _ _ (H (fun w => w ^ 3) (fun w => 3 * w ^ 2) (fun w => 6 * w) 0 6
-    ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)) T); lra.
+  assert (exists error, forall p c, central_falls p c -> falls_like error p (c * 6)) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 3)
+    (fun w => 3 * w ^ 2) (fun w => 6 * w) 0); polynomials).
+  split; intro H; apply (two_laws _ _ _ _ _ (A _ _ H) (A _ _ difference_slopes__central)); lra.
 Qed.
 Theorem difference_slopes__forward__false : ~ forward_falls 1 1 /\ ~ forward_falls 2 (1/2).
 Proof.
-  assert (T := difference_slopes__forward (fun w => w ^ 2) (fun w => 2 * w) 1 0 2 ltac:(polynomials) ltac:(polynomials) (or_introl eq_refl)).
-  split; intro H; apply (two_laws _ _ _ _ _ (H (fun w => w ^ 2) (fun w => 2 * w) 1 0 2
-    ltac:(polynomials) ltac:(polynomials) (or_introl eq_refl)) T); lra.
+  assert (exists error, forall p c, forward_falls p c -> falls_like error p (c * (1 * 2))) as [error A] by (eexists; intros p c H; apply (H (fun w
+    => w ^ 2)
+    (fun w => 2 * w) 1 0); polynomials; left; reflexivity).
+  split; intro H; apply (two_laws _ _ _ _ _ (A _ _ H) (A _ _ difference_slopes__forward)); lra.
 Qed.
 Theorem difference_slopes__fourth__false : ~ fourth_falls 4 (1/30) /\ ~ fourth_falls 3 (-1/30).
 Proof.
-  assert (T := difference_slopes__fourth (fun w => w ^ 5) (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0 120
-    ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)).
-  split; intro H; apply (two_laws _ _ _ _ _ (H (fun w => w ^ 5) (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0
-    120
-    ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials) ltac:(polynomials)) T); lra.
+  assert (exists error, forall p c, fourth_falls p c -> falls_like error p (c * 120)) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 5)
+    (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0); polynomials).
+  split; intro H; apply (two_laws _ _ _ _ _ (A _ _ H) (A _ _ difference_slopes__fourth)); lra.
 Qed.
 (* Where the second derivative is not 0 at the pole the order is not 2; where it is 0, not 1. *)
 Theorem difference_slopes__clamped__false : ~ clamped_falls False 2 of_third /\ ~ clamped_falls True 1 of_third.

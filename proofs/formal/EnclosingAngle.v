@@ -1,20 +1,19 @@
 (* The rule of the enclosing machine for the angle: how far it turns where its point moves. *)
 
-From Coq Require Import Reals Lra Psatz ZArith.
+From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedAngle EnclosingRules EnclosingBounds.
-From Formal Require Statements.
 Open Scope R_scope.
 
 (* The angle of a point is where its direction lies, on the side that its coordinates say. *)
-Lemma polar (y x : R) : let t := PI * atan2pi y x in exists r, 0 <= r /\ x = r * cos t /\ y = r * sin t /\ - PI <= t <= PI /\ (0 <= x -> - (PI / 2) <=
-  t <= PI / 2) /\ 0 <= y * t.
+Lemma polar y x : let t := PI * atan2pi y x in exists r, 0 <= r /\ x = r * cos t /\ y = r * sin t /\ - PI <= t <= PI /\ (0 <= x -> - (PI / 2) <= t
+  <= PI / 2) /\ 0 <= y * t.
 Proof.
-  assert (P := PI_RGT_0). replace (PI * atan2pi y x) with (atan2 y x) by (unfold atan2pi; field; lra).
-  unfold atan2. set (q := y / x). assert (B := atan_bound q). assert (S := atan_rises q 0). assert (S' := atan_rises 0 q). rewrite atan_0 in S, S'.
-    assert (C := sqrt_lt_R0 (1 + Rsqr q) ltac:(generalize (Rle_0_sqr q); lra)).
+  pose proof PI_RGT_0 as P. replace (PI * atan2pi y x) with (atan2 y x) by (unfold atan2pi; field; lra).
+  unfold atan2. set (q := y / x). pose proof atan_bound q as B. pose proof atan_rises q 0 as S. pose proof atan_rises 0 q as S'. rewrite atan_0 in S, S'.
+    pose proof sqrt_lt_R0 (1 + Rsqr q) ltac:(generalize (Rle_0_sqr q); lra) as C.
   destruct (Req_EM_T x 0) as [->|X].
   - exists (Rabs y). unfold Rabs. replace (- PI / 2) with (- (PI / 2)) by field. destruct Rcase_abs; repeat destruct Rlt_dec; rewrite ?cos_neg,
     ?sin_neg, ?cos_PI2, ?sin_PI2, ?cos_0, ?sin_0; repeat split; nra.
@@ -24,29 +23,29 @@ Proof.
     all: split; [nra | split; [field; lra | split; [rewrite Q at 1; field; lra | repeat split; intros; nra]]].
 Qed.
 (* Where it moves by less than a quarter turn, and not over the cut, the angle turns by an arctangent. *)
-Lemma angle_moves (y x y' x' : R) : let d := Rabs (atan2pi y x - atan2pi y' x') in let dot := x * x' + y * y' in d <= 2 /\
-  forall K, 0 < dot -> 0 <= x \/ Rabs (y - y') < Rabs y -> Rabs (y * x' - x * y') <= K * dot -> d <= 3184 / 10000 * K.
+Lemma angle_moves y x y' x' : let d := Rabs (atan2pi y x - atan2pi y' x') in let dot := x * x' + y * y' in d <= 2 /\ forall K, 0 < dot -> 0 <= x
+  \/ Rabs (y - y') < Rabs y -> Rabs (y * x' - x * y') <= K * dot -> d <= 3184 / 10000 * K.
 Proof.
   intros d0 dot. destruct (polar y x) as (r & R & X & Y & B & Bx & By). destruct (polar y' x') as (r' & R' & X' & Y' & B' & _ & By'). unfold d0.
-    assert (P := PI_RGT_0).
+    pose proof PI_RGT_0 as P.
   set (u := atan2pi y x) in *. set (u' := atan2pi y' x') in *. split; [apply Rabs_le; split; nra|]. intros K D S G. set (d := PI * (u - u')).
   assert (T : - (3 * (PI / 2)) <= d <= 3 * (PI / 2)).
   { unfold d. destruct S as [S|S]; [lra|]. unfold Rabs in S. destruct (Rcase_abs y); destruct Rcase_abs; split; nra. }
   assert (dot = r * r' * cos d /\ y * x' - x * y' = r * r' * sin d) as [E F] by (unfold d, dot; rewrite Rmult_minus_distr_l, cos_minus, sin_minus, X,
     X', Y, Y'; split; ring).
-  assert (C : 0 < cos d) by (assert (Q := Rmult_le_pos _ _ R R'); nra).
+  assert (C : 0 < cos d) by (pose proof Rmult_le_pos _ _ R R' as Q; nra).
   assert (H : - (PI / 2) < d < PI / 2) by (generalize (cos_le_0 d) (cos_le_0 (- d)); rewrite cos_neg; lra).
   replace (r * r' * sin d) with (tan d * dot) in F by (rewrite E; unfold tan; field; lra). rewrite F, Rabs_mult, (Rabs_pos_eq dot) in G by lra. apply
     Rmult_le_reg_r in G; [|exact D].
-  assert (M := atan_moves 0 (tan d)). rewrite atan_tan, atan_0, !Rminus_0_r in M by exact H. apply Rle_trans with (3184 / 10000 * Rabs d); [|lra].
+  pose proof atan_moves 0 (tan d) as M. rewrite atan_tan, atan_0, !Rminus_0_r in M by exact H. apply Rle_trans with (3184 / 10000 * Rabs d); [|lra].
   unfold d. rewrite Rabs_mult, (Rabs_pos_eq PI) by lra. assert (I : 1 <= 3184 / 10000 * PI) by interval. generalize (Rmult_le_compat_r _ _ _ (Rabs_pos
     (u - u')) I). lra.
 Qed.
 Theorem enclosing_rules__angle : Statements.enclosing_rules__angle.
 Proof.
-  red. intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy N. enclosed_angle_float64.lines. fold ROUNDING. fold SLACK. fold least. assert (T := proj1
-    underflow_in_least). assert (U := underflow_is_small). assert (0 <= 731105545250889 / 2251799813685248) by lra. assert (0 <= SLACK) by in_units.
-  assert (Ax := Rabs_pos x). assert (Ay := Rabs_pos y). assert (Nx := pow2_abs x). assert (Ny := pow2_abs y). assert (F := two_is_float64).
+  intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy N. enclosed_angle_float64.lines. fold ROUNDING. fold SLACK. fold least. pose proof proj1
+    underflow_in_least as T. pose proof underflow_is_small as U. assert (0 <= 731105545250889 / 2251799813685248) by lra. assert (0 <= SLACK) by in_units.
+  pose proof Rabs_pos x as Ax. pose proof Rabs_pos y as Ay. pose proof pow2_abs x as Nx. pose proof pow2_abs y as Ny. pose proof two_is_float64 as F.
   assert (L : bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y)) by (apply Rle_trans with (bpow radix2 (-6)); [apply bpow_le; easy | simpl; unfold Rmax;
     destruct Rle_dec; nra]).
   destruct (angle_near y x Y X L) as [O O']. destruct (angle_moves y x y' x') as [W V]. destruct (both (Rlt_dec x 0) _) as [_|Cut].
@@ -59,11 +58,12 @@ Proof.
   { destruct Cut as [Cut|Cut]; [left; lra | right]. apply Rnot_le_lt in Cut. rewrite <- (kept (Rabs y)) in Cut by is_float64. apply rounded_below in Cut.
     assert (Z : b < rounded (Rabs y)) by (rewrite (kept (Rabs y)) by is_float64; in_units). apply rounded_below in Z. in_units. }
   set (dx := Rabs (x - x')) in *. set (dy := Rabs (y - y')) in *.
-  assert (C : Rabs (y * x' - x * y') <= Rabs x * dy + Rabs y * dx) by (replace (_ - _) with (x * (y - y') - y * (x - x')) by ring; sizes_add; rewrite
+  assert (C : Rabs (y * x' - x * y') <= Rabs x * dy + Rabs y * dx) by (replace (_ - _) with (x * (y - y') - y * (x - x')) by ring; at_most_by
+    Rabs_triang; rewrite
     Rabs_Ropp, !Rabs_mult; apply Rle_refl).
   set (dot := x * x' + y * y') in *. assert (E : x ^ 2 + y ^ 2 - (Rabs x * dx + Rabs y * dy) <= dot) by (unfold dx, dy, dot; rewrite <- !Rabs_mult;
     generalize (Rle_abs (x * (x - x'))) (Rle_abs (y * (y - y'))); lra).
-  rounds xx (x * x). rounds yy (y * y). rounds z (xx + yy). rounds q (sqrt z). assert (Z := sqrt_sqrt z ltac:(assumption)). set (radius := sqrt z) in
+  rounds xx (x * x). rounds yy (y * y). rounds z (xx + yy). rounds q (sqrt z). pose proof sqrt_sqrt z ltac:(assumption) as Z. set (radius := sqrt z) in
     *. clearbody radius z.
   assert (1 / 33 <= radius /\ Rabs x <= 1001 / 1000 * radius /\ Rabs y <= 1001 / 1000 * radius) as (R & Rx & Ry) by (repeat split; apply
     less_of_squares; in_units).

@@ -3,8 +3,7 @@
 From Coq Require Import Reals Lra Lia ZArith List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Mult_error Pff2Flocq.
-From Formal Require Import Preliminaries Float Float64 Programs RoundedHalfTurns Rounding EnclosingRules EnclosingFunctions EnclosingAngle
-  EnclosingLogarithm.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingFunctions EnclosingAngle EnclosingLogarithm.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -16,7 +15,7 @@ Inductive operation : Type :=
   | Literal (m e : Z) | Constant (value count meant : R) | Negative | Size | Sum | Difference | Product | Quotient | Root | Floor | Nearest | Sine
   | Cosine | Angle | Exponential | Logarithm | Raised | Rest | Choose (c : test).
 
-Definition literal (m e : Z) : R := IZR m * bpow radix2 e.
+Definition literal (m e : Z) := IZR m * bpow radix2 e.
 Fixpoint holds (c : test) (values : list R) : bool :=
   match c with
   | Less i j => if Rlt_dec (nth i values 0) (nth j values 0) then true else false
@@ -24,51 +23,19 @@ Fixpoint holds (c : test) (values : list R) : bool :=
   | Not c => negb (holds c values)
   | Both c d => holds c values && holds d values
   end.
-Definition exactly (o : operation) (given : list R) : R :=
-  match o, given with
-  | Literal m e, [] => literal m e
-  | Constant _ _ meant, [] => meant
-  | Negative, [x] => - x
-  | Size, [x] => Rabs x
-  | Sum, [x; y] => x + y
-  | Difference, [x; y] => x - y
-  | Product, [x; y] => x * y
-  | Quotient, [x; y] => x / y
-  | Root, [x] => sqrt x
-  | Floor, [x] => IZR (Int_part x)
-  | Nearest, [x] => rint x
-  | Sine, [x; y] => sin (PI * (x * y))
-  | Cosine, [x; y] => cos (PI * (x * y))
-  | Angle, [y; x] => atan2pi y x
-  | Exponential, [x] => exp x
-  | Logarithm, [x] => ln x
-  | Raised, [x; y] => power x y
-  | Choose c, x :: y :: compared => if holds c compared then x else y
-  | _, _ => 0
-  end.
-Definition in_float64 (o : operation) (given : list R) : R :=
-  match o, given with
-  | Literal m e, [] => literal m e
-  | Constant value _ _, [] => value
-  | Negative, [x] => - x
-  | Size, [x] => Rabs x
-  | Sum, [x; y] => enclosed_sum_float64.total x y
-  | Difference, [x; y] => enclosed_sum_float64.total x (- y)
-  | Product, [x; y] => enclosed_product_float64.product x y
-  | Quotient, [x; y] => enclosed_quotient_float64.quotient x y
-  | Root, [x] => enclosed_root_float64.root x
-  | Floor, [x] => enclosed_floor_float64.below x
-  | Nearest, [x] => enclosed_nearest_float64.nearest x
-  | Sine, [x; y] => enclosed_sine_float64.sine x y
-  | Cosine, [x; y] => enclosed_cosine_float64.cosine x y
-  | Angle, [y; x] => enclosed_angle_float64.angle x y
-  | Exponential, [x] => enclosed_exponential_float64.exponential x
-  | Logarithm, [x] => enclosed_logarithm_float64.logarithm x
-  | Raised, [x; y] => raised_float64.power x y
-  | Rest, [x; y] => two_product_float64.product_error x y
-  | Choose c, x :: y :: compared => if holds c compared then x else y
-  | _, _ => 0
-  end.
+Definition exactly (o : operation) (given : list R) := match o, given with | Literal m e, [] => literal m e | Constant _ _ meant, [] => meant |
+  Negative, [x] => - x | Size, [x] => Rabs x | Sum, [x; y] => x + y | Difference, [x; y] => x - y | Product, [x; y] => x * y | Quotient, [x; y] =>
+  x / y | Root, [x] => sqrt x | Floor, [x] => IZR (Int_part x) | Nearest, [x] => rint x | Sine, [x; y] => sin (PI * (x * y)) | Cosine, [x; y] =>
+  cos (PI * (x * y)) | Angle, [y; x] => atan2pi y x | Exponential, [x] => exp x | Logarithm, [x] => ln x | Raised, [x; y] => power x y | Choose c,
+  x :: y :: compared => if holds c compared then x else y | _, _ => 0 end.
+Definition in_float64 (o : operation) (given : list R) := match o, given with | Literal m e, [] => literal m e | Constant value _ _, [] => value |
+  Negative, [x] => - x | Size, [x] => Rabs x | Sum, [x; y] => enclosed_sum_float64.total x y | Difference, [x; y] => enclosed_sum_float64.total x
+  (- y) | Product, [x; y] => enclosed_product_float64.product x y | Quotient, [x; y] => enclosed_quotient_float64.quotient x y | Root, [x] =>
+  enclosed_root_float64.root x | Floor, [x] => enclosed_floor_float64.below x | Nearest, [x] => enclosed_nearest_float64.nearest x | Sine, [x; y]
+  => enclosed_sine_float64.sine x y | Cosine, [x; y] => enclosed_cosine_float64.cosine x y | Angle, [y; x] => enclosed_angle_float64.angle x y |
+  Exponential, [x] => enclosed_exponential_float64.exponential x | Logarithm, [x] => enclosed_logarithm_float64.logarithm x | Raised, [x; y] =>
+  raised_float64.power x y | Rest, [x; y] => two_product_float64.product_error x y | Choose c, x :: y :: compared => if holds c compared then x
+  else y | _, _ => 0 end.
 
 (* What the machine knows of a number before it runs: that it is a literal, perhaps 2^k or -2^k; or whether it detects exact results of it, and
   whether its count is the float 0.0. *)
@@ -104,71 +71,43 @@ Fixpoint leaves_open (c : test) (given : list (R * R)) : bool :=
     leaves_open c given)
   end.
 (* The rounding of a sum (Knuth). *)
-Definition found_rounding (x y : R) : R :=
-  let total := rounded (x + y) in let part := rounded (total - x) in rounded (rounded (x - rounded (total - part)) + rounded (y - part)).
-Definition count_of_sum (a b : kind) (x e y d : R) : R :=
-  if (stays_exact a && stays_exact b || is_free a && is_free b)%bool then rounded (rounded (e + d) + rounded (Rabs (found_rounding x y) *
-    9007199254740992))
-  else enclosed_sum_float64.total_error x e y d.
+Definition found_rounding (x y : R) := let total := rounded (x + y) in let part := rounded (total - x) in rounded (rounded (x - rounded (total -
+  part)) + rounded (y - part)).
+Definition count_of_sum (a b : kind) (x e y d : R) := if (stays_exact a && stays_exact b || is_free a && is_free b)%bool then rounded (rounded (e
+  + d) + rounded (Rabs (found_rounding x y) * 9007199254740992)) else enclosed_sum_float64.total_error x e y d.
 (* A factor or dividend that stays exact and is an exact 0. A power of two moves no bit, above the subnormal range. *)
 Definition exact_zero (a : kind) (x e : R) : bool := if Req_EM_T (Rabs x + e) 0 then stays_exact a else false.
-Definition count_of_scaled (a : kind) (k : Z) (x e : R) : R :=
-  rounded (rounded (bpow radix2 k * e) +
-    if (0 <=? k)%Z then 0 else if stays_exact a then if Rle_dec (Rabs (rounded (x * bpow radix2 k))) (bpow radix2 (-1022)) then 1 / 2 ^ 1007 else 0
-      else 1 / 2 ^ 1007).
-Definition count_of_product (a b : kind) (x e y d : R) : R :=
-  if (exact_zero a x e || exact_zero b y d)%bool then 0
-  else match scale_of a, scale_of b with
-    | Some k, _ => count_of_scaled b k y d
-    | _, Some k => count_of_scaled a k x e
-    | _, _ => enclosed_product_float64.product_error x e y d
-    end.
-Definition counted_roundings (o : operation) (given : list (kind * (R * R))) : R :=
-  match o, given with
-  | Constant _ count _, [] => count
-  | Negative, [(_, (_, e))] | Size, [(_, (_, e))] => e
-  | Sum, [(a, (x, e)); (b, (y, d))] => count_of_sum a b x e y d
-  | Difference, [(a, (x, e)); (b, (y, d))] => count_of_sum a b x e (- y) d
-  | Product, [(a, (x, e)); (b, (y, d))] => count_of_product a b x e y d
-  | Quotient, [(a, (x, e)); (_, (y, d))] => if exact_zero a x e then 0 else enclosed_quotient_float64.quotient_error x e y d
-  | Root, [(_, (x, e))] => enclosed_root_float64.root_error x e
-  | Floor, [(_, (x, e))] => enclosed_floor_float64.below_error x e
-  | Nearest, [(_, (x, e))] => enclosed_nearest_float64.nearest_error x e
-  | Sine, [(_, (x, e)); (_, (y, d))] => enclosed_sine_float64.sine_error x e y d
-  | Cosine, [(_, (x, e)); (_, (y, d))] => enclosed_cosine_float64.cosine_error x e y d
-  | Angle, [(_, (y, d)); (_, (x, e))] => enclosed_angle_float64.angle_error x e y d
-  | Exponential, [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e
-  | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e
-  | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared =>
-    if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map snd compared)) then e else d
-  | _, _ => 0
-  end.
+Definition count_of_scaled (a : kind) (k : Z) (x e : R) := rounded (rounded (bpow radix2 k * e) + if (0 <=? k)%Z then 0 else if stays_exact a then
+  if Rle_dec (Rabs (rounded (x * bpow radix2 k))) (bpow radix2 (-1022)) then 1 / 2 ^ 1007 else 0 else 1 / 2 ^ 1007).
+Definition count_of_product (a b : kind) (x e y d : R) := if (exact_zero a x e || exact_zero b y d)%bool then 0 else match scale_of a, scale_of b
+  with | Some k, _ => count_of_scaled b k y d | _, Some k => count_of_scaled a k x e | _, _ => enclosed_product_float64.product_error x e y d end.
+Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := match o, given with | Constant _ count _, [] => count | Negative,
+  [(_, (_, e))] | Size, [(_, (_, e))] => e | Sum, [(a, (x, e)); (b, (y, d))] => count_of_sum a b x e y d | Difference, [(a, (x, e)); (b, (y, d))]
+  => count_of_sum a b x e (- y) d | Product, [(a, (x, e)); (b, (y, d))] => count_of_product a b x e y d | Quotient, [(a, (x, e)); (_, (y, d))] =>
+  if exact_zero a x e then 0 else enclosed_quotient_float64.quotient_error x e y d | Root, [(_, (x, e))] => enclosed_root_float64.root_error x e |
+  Floor, [(_, (x, e))] => enclosed_floor_float64.below_error x e | Nearest, [(_, (x, e))] => enclosed_nearest_float64.nearest_error x e | Sine,
+  [(_, (x, e)); (_, (y, d))] => enclosed_sine_float64.sine_error x e y d | Cosine, [(_, (x, e)); (_, (y, d))] =>
+  enclosed_cosine_float64.cosine_error x e y d | Angle, [(_, (y, d)); (_, (x, e))] => enclosed_angle_float64.angle_error x e y d | Exponential,
+  [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e
+  | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared => if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map
+  snd compared)) then e else d | _, _ => 0 end.
 
 (* That a number of the machine encloses an exact one; s is the slack of the counts, which each operation adds to. *)
-Definition encloses (s : R) (n : R * R) (x : R) : Prop := float64 (fst n) /\ float64 (snd n) /\ 0 <= snd n /\ Rabs (fst n - x) <= s * (snd n / 2 ^
-  53).
+Definition encloses (s : R) (n : R * R) (x : R) := float64 (fst n) /\ float64 (snd n) /\ 0 <= snd n /\ Rabs (fst n - x) <= s * (snd n / 2 ^ 53).
 (* What a rule asks: of what the machine computed, and of nothing else. *)
-Definition turn_allowed (x e y d : R) : Prop := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y = 0).
+Definition turn_allowed (x e y d : R) := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y = 0).
 (* A literal power of two is one, and below 1 no count is so small that it vanishes. *)
-Definition scale_allowed (a : kind) (x e d : R) : Prop :=
-  match scale_of a with Some k => Rabs x = bpow radix2 k /\ e = 0 /\ ((0 <= k)%Z \/ d = 0 \/ 1 / 2 ^ 1007 <= bpow radix2 k * d) | None => True end.
-Definition allowed (o : operation) (given : list (kind * (R * R))) : Prop :=
-  match o, given with
-  | Literal m e, [] => (Z.abs m < 2 ^ 53 /\ -1074 <= e)%Z
-  | Constant value count meant, [] => encloses 1 (value, count) meant
-  | Negative, [_] | Size, [_] | Sum, [_; _] | Difference, [_; _] => True
-  | Product, [(a, (x, e)); (b, (y, d))] => e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ scale_allowed a x e d /\ scale_allowed b y d e
-  | Quotient, [_; (_, (y, d))] => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488
-  | Root, [(_, (x, _))] => x >= 0
-  | Floor, [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60
-  | Sine, [(_, (x, e)); (_, (y, d))] | Cosine, [(_, (x, e)); (_, (y, d))] => turn_allowed x e y d
-  | Angle, [(_, (y, _)); (_, (x, _))] => x ^ 2 + y ^ 2 >= / 1024
-  | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs x >= 1 \/ x = 0)
-  | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1
-  | _, _ => False
-  end.
+Definition scale_allowed (a : kind) (x e d : R) := match scale_of a with Some k => Rabs x = bpow radix2 k /\ e = 0 /\ ((0 <= k)%Z \/ d = 0 \/ 1 /
+  2 ^ 1007 <= bpow radix2 k * d) | None => True end.
+Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, given with | Literal m e, [] => (Z.abs m < 2 ^ 53 /\ -1074 <= e)%Z
+  | Constant value count meant, [] => encloses 1 (value, count) meant | Negative, [_] | Size, [_] | Sum, [_; _] | Difference, [_; _] => True |
+  Product, [(a, (x, e)); (b, (y, d))] => e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ scale_allowed a x e d /\ scale_allowed b y d e | Quotient, [_; (_, (y, d))]
+  => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488 | Root, [(_, (x, _))] => x >= 0 | Floor,
+  [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(_, (x, e)); (_, (y, d))] | Cosine, [(_, (x, e)); (_, (y, d))] => turn_allowed x
+  e y d | Angle, [(_, (y, _)); (_, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
+  x >= 1 \/ x = 0) | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | _, _ => False end.
 Lemma encloses_weaker s t n x : s <= t -> encloses s n x -> encloses t n x.
-Proof. intros L (V & C & P & D). repeat split; try assumption. eapply Rle_trans; [exact D|]. apply Rmult_le_compat_r; lra. Qed.
+Proof. intros L (V & C & P & D). repeat split; try assumption. at_most_by D. apply Rmult_le_compat_r; lra. Qed.
 Lemma not_more s n x : 1 <= s -> encloses s n x -> encloses (s * (1 + 1 / 2 ^ 49)) n x.
 Proof. intro S. apply encloses_weaker. lra. Qed.
 Lemma encloses_opposite s y d y' : encloses s (y, d) y' -> encloses s (- y, d) (- y').
@@ -192,41 +131,45 @@ Qed.
 Lemma exponential_is_float64 p q : float64 (exponential_of_sum_float64.exponential p q).
 Proof. unfold exponential_of_sum_float64.exponential. chosen_is_float64. Qed.
 
-Lemma found_sum_rule s x e x' y d y' : 1 <= s -> encloses s (x, e) x' -> encloses s (y, d) y' ->
+Lemma zero_encloses s : encloses s (0, 0) 0.
+Proof. split; [apply generic_format_0 | split; [apply generic_format_0 | cbn; rewrite Rminus_eq_0, Rabs_R0; lra]]. Qed.
+Ltac opened := repeat match goal with X : encloses _ _ _ |- _ => destruct X | X : turn_allowed _ _ _ _ |- _ => destruct X | X : _ /\ _ |- _ =>
+  destruct X end.
+Section rules.
+Variable s : R.
+Hypotheses (S1 : 1 <= s) (S2 : s <= 1 + 3 / 2 ^ 22).
+Lemma found_sum_rule x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y' ->
   encloses (s * (1 + 1 / 2 ^ 49)) (rounded (x + y), rounded (rounded (e + d) + rounded (Rabs (found_rounding x y) * 9007199254740992))) (x' + y').
 Proof.
-  intros S1 (X & E & P & N) (Y & D & Q & M). cbn [fst snd] in *. assert (I : rounded (x + y) + found_rounding x y = x + y).
+  intros (X & E & P & N) (Y & D & Q & M). cbn [fst snd] in *. assert (I : rounded (x + y) + found_rounding x y = x + y).
   { apply (TwoSum_correct (-1074) 53 (fun n => negb (Z.even n))); [easy | easy | | exact X | exact Y]. intro n. rewrite Z.even_opp, Z.even_add.
     destruct (Z.even n); reflexivity. }
-  set (b := found_rounding x y) in *. assert (Fb : float64 b) by apply rounded_is_float64. clearbody b. assert (F := distance_as_count (Rabs b)
-    ltac:(is_float64)).
-  rewrite F. assert (Fc : float64 (Rabs b * 9007199254740992)) by (rewrite <- F; is_float64). assert (T := Rabs_pos b).
-  counts k (e + d). counts c (k + Rabs b * 9007199254740992). split; [is_float64 | split; [is_float64 | split; [assumption|]]]. cbn [fst snd].
+  set (b := found_rounding x y) in *. assert (Fb : float64 b) by apply rounded_is_float64. clearbody b. pose proof distance_as_count (Rabs b)
+    ltac:(is_float64) as F.
+  rewrite F. assert (Fc : float64 (Rabs b * 9007199254740992)) by (rewrite <- F; is_float64). pose proof Rabs_pos b as T.
+  counts k (e + d). counts c (k + Rabs b * 9007199254740992). split; [is_float64 | is_count]. cbn [fst snd].
   apply enough with (e + d + Rabs b * 9007199254740992) 0 0; try lra; [clearbody k c; in_units|].
   replace (rounded (x + y) - (x' + y')) with ((x - x') + (y - y') - b) by lra. assert (0 <= (s - 1) * Rabs b) by (apply Rmult_le_pos; lra).
-  assert (G := Rabs_triang (x - x' + (y - y')) (- b)). assert (J := Rabs_triang (x - x') (y - y')). rewrite Rabs_Ropp in G. unfold Rminus at 1. lra.
+  pose proof Rabs_triang (x - x' + (y - y')) (- b) as G. pose proof Rabs_triang (x - x') (y - y') as J. rewrite Rabs_Ropp in G. unfold Rminus at 1. lra.
 Qed.
-Lemma sum_rule a b s x e x' y d y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, e) x' -> encloses s (y, d) y' ->
+Lemma sum_rule a b x e x' y d y' :  encloses s (x, e) x' -> encloses s (y, d) y' ->
   encloses (s * (1 + 1 / 2 ^ 49)) (enclosed_sum_float64.total x y, count_of_sum a b x e y d) (x' + y').
 Proof.
-  intros S1 S2 X Y. unfold count_of_sum. destruct (_ || _)%bool; [apply found_sum_rule; assumption|]. destruct X as (X & Ex & Px & Dx), Y as (Y & Ey
-    & Py & Dy).
-  split; [apply rounded_is_float64 | apply (enclosing_rules__sum s x e x' y d y'); assumption].
+  intros X Y. unfold count_of_sum. destruct (_ || _)%bool; [apply found_sum_rule; assumption|]. opened. split; [apply rounded_is_float64 | apply
+    (enclosing_rules__sum s x e x' y d y'); assumption].
 Qed.
-Lemma is_exact_zero a s x e x' : encloses s (x, e) x' -> exact_zero a x e = true -> x = 0 /\ e = 0 /\ x' = 0.
+Lemma is_exact_zero a x e x' : encloses s (x, e) x' -> exact_zero a x e = true -> x = 0 /\ e = 0 /\ x' = 0.
 Proof.
-  intros (X & E & P & D) Z. cbn [fst snd] in *. unfold exact_zero in Z. destruct Req_EM_T as [N|]; [clear Z|discriminate]. assert (A := Rabs_pos x).
+  intros (X & E & P & D) Z. cbn [fst snd] in *. unfold exact_zero in Z. destruct Req_EM_T as [N|]; [clear Z|discriminate]. pose proof Rabs_pos x as A.
     assert (e = 0) by lra. assert (Q : Rabs x = 0) by lra.
   apply Rabs_eq_0 in Q. subst. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r, Rminus_0_l, Rabs_Ropp in D. generalize (Rabs_pos x') (Rabs_eq_0 x').
     intros. repeat split. lra.
 Qed.
-Lemma zero_encloses s : encloses s (0, 0) 0.
-Proof. split; [apply generic_format_0 | split; [apply generic_format_0 | cbn; rewrite Rminus_eq_0, Rabs_R0; lra]]. Qed.
-Lemma scaled_by_power a k s x e x' : let q := bpow radix2 k in 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, e) x' -> (0 <= k)%Z \/ e = 0 \/ 1 / 2
+Lemma scaled_by_power a k x e x' : let q := bpow radix2 k in  encloses s (x, e) x' -> (0 <= k)%Z \/ e = 0 \/ 1 / 2
   ^ 1007 <= q * e ->
   encloses (s * (1 + 1 / 2 ^ 49)) (rounded (x * q), count_of_scaled a k x e) (x' * q).
 Proof.
-  intros q S1 S2 (X & E & P & D) H. cbn [fst snd] in *. assert (Q : 0 < q) by apply bpow_gt_0. unfold count_of_scaled. fold q. destruct
+  intros q (X & E & P & D) H. cbn [fst snd] in *. assert (Q : 0 < q) by apply bpow_gt_0. unfold count_of_scaled. fold q. destruct
     underflow_in_least as [T L]. set (least := 1 / 2 ^ 1007) in *.
   assert (Fl : float64 least) by exact least_is_float64. clearbody least.
   assert (Kept : (0 <= k)%Z \/ bpow radix2 (-1022) <= Rabs (x * q) -> rounded (x * q) = x * q).
@@ -245,9 +188,10 @@ Proof.
     mult_bpow_pos_exact_FLT; assumption); fold q; lra]|].
   assert (Lossy : let c := rounded (rounded (q * e) + least) in float64 c /\ 0 <= c /\ Rabs (rounded (x * q) - x' * q) <= s * (1 + 1 / 2 ^ 49) * (c /
     2 ^ 53)).
-  { cbv zeta. counts m (q * e). counts c (m + least). split; [is_float64 | split; [assumption|]]. apply enough with (q * e) 0 (2 * underflow); try
+  { cbv zeta. counts m (q * e). counts c (m + least). is_count. apply enough with (q * e) 0 (2 * underflow); try
     lra; [in_units|].
-    replace (rounded (x * q) - x' * q) with (rounded (x * q) - x * q + (x * q - x' * q)) by ring. sizes_add. enough (Rabs (rounded (x * q) - x * q)
+    replace (rounded (x * q) - x' * q) with (rounded (x * q) - x * q + (x * q - x' * q)) by ring. at_most_by Rabs_triang. enough (Rabs (rounded
+      (x * q) - x * q)
       <= 2 * underflow) by lra.
     destruct (Rle_lt_dec (bpow radix2 (-1022)) (Rabs (x * q))) as [G|G]; [rewrite Kept by (right; exact G); rewrite Rminus_eq_0, Rabs_R0; lra|].
     assert (B : underflow * 2 ^ 52 = bpow radix2 (-1022)) by (rewrite underflow_times; reflexivity). generalize (rounding_error (x * q)). in_units. }
@@ -259,70 +203,69 @@ Proof.
   - rewrite Rmult_0_r, rounded_0. lra.
   - generalize (counted (q * e) ltac:(assumption)). in_units.
 Qed.
-Lemma scaled_rule a k s x e x' y : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, e) x' -> Rabs y = bpow radix2 k -> (0 <= k)%Z \/ e = 0 \/ 1 / 2 ^
+Lemma scaled_rule a k x e x' y :  encloses s (x, e) x' -> Rabs y = bpow radix2 k -> (0 <= k)%Z \/ e = 0 \/ 1 / 2 ^
   1007 <= bpow radix2 k * e ->
   encloses (s * (1 + 1 / 2 ^ 49)) (rounded (x * y), count_of_scaled a k x e) (x' * y).
 Proof.
-  intros S1 S2 X Y H. destruct (Rcase_abs y) as [N|N]; [rewrite Rabs_left in Y by exact N | rewrite Rabs_pos_eq in Y by lra; subst y; apply
+  intros X Y H. destruct (Rcase_abs y) as [N|N]; [rewrite Rabs_left in Y by exact N | rewrite Rabs_pos_eq in Y by lra; subst y; apply
     scaled_by_power; assumption].
   replace y with (- bpow radix2 k) by lra. rewrite <- !Ropp_mult_distr_r, rounded_opp. apply encloses_opposite. apply scaled_by_power; assumption.
 Qed.
-Lemma product_rule a b s x e x' y d y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, e) x' -> encloses s (y, d) y' -> e <= 2 ^ 60 -> d <= 2 ^ 60
+Lemma product_rule a b x e x' y d y' :  encloses s (x, e) x' -> encloses s (y, d) y' -> e <= 2 ^ 60 -> d <= 2 ^ 60
   -> scale_allowed a x e d -> scale_allowed b y d e ->
   encloses (s * (1 + 1 / 2 ^ 49)) (enclosed_product_float64.product x y, count_of_product a b x e y d) (x' * y').
 Proof.
-  intros S1 S2 X Y U V A B. unfold count_of_product, scale_allowed, enclosed_product_float64.product in *. destruct (exact_zero a x e) eqn:Zx;
+  intros X Y U V A B. unfold count_of_product, scale_allowed, enclosed_product_float64.product in *. destruct (exact_zero a x e) eqn:Zx;
     [|destruct (exact_zero b y d) eqn:Zy; cbn [orb]].
-  1: destruct (is_exact_zero a s x e x' X Zx) as (-> & _ & ->); rewrite !Rmult_0_l, rounded_0; apply zero_encloses.
-  1: destruct (is_exact_zero b s y d y' Y Zy) as (-> & _ & ->); rewrite !Rmult_0_r, rounded_0; apply zero_encloses.
+  1: destruct (is_exact_zero a x e x' X Zx) as (-> & _ & ->); rewrite !Rmult_0_l, rounded_0; apply zero_encloses.
+  1: destruct (is_exact_zero b y d y' Y Zy) as (-> & _ & ->); rewrite !Rmult_0_r, rounded_0; apply zero_encloses.
   assert (Same : forall x x', encloses s (x, 0) x' -> x = x').
   { intros z z' (_ & _ & _ & D). cbn [fst snd] in D. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (z - z')) (Rabs_eq_0
     (z - z')). intros. lra. }
   destruct (scale_of a) as [k|]; [|destruct (scale_of b) as [k|]].
   - destruct A as (A & -> & W). rewrite <- (Same _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
   - destruct B as (B & -> & W). rewrite <- (Same _ _ Y). apply scaled_rule; assumption.
-  - destruct X as (X & Ex & Px & Dx), Y as (Y & Ey & Py & Dy). split; [apply rounded_is_float64 | apply (enclosing_rules__product s x e x' y d y');
-      assumption].
+  - opened. split; [apply rounded_is_float64 | apply (enclosing_rules__product s x e x' y d y'); assumption].
 Qed.
 (* Coq's root of what is negative is 0, as of the nearest number that is not. *)
-Lemma root_rule s x e x' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, e) x' -> x >= 0 -> encloses (s * (1 + 1 / 2 ^ 49))
+Lemma root_rule x e x' :  encloses s (x, e) x' -> x >= 0 -> encloses (s * (1 + 1 / 2 ^ 49))
   (enclosed_root_float64.root x, enclosed_root_float64.root_error x e) (sqrt x').
 Proof.
-  intros S1 S2 (X & E & P & D) X0. assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
+  intros (X & E & P & D) X0. assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
     sqrt_neg; lra]).
   rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [|apply Rle_ge, Rmax_l].
   eapply Rle_trans; [|exact D]. cbn [fst snd]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs. repeat destruct Rcase_abs; lra.
 Qed.
 
-Ltac by_rule theorem value := split; [value | cbn [fst snd]; (apply theorem || eapply proj2, theorem); assumption].
-Ltac is_rounded := apply rounded_is_float64.
-Theorem every_rule o s given exact : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> Forall2 (fun n => encloses s (snd n)) given exact -> allowed o given ->
+(* By a theorem about the parts of what is given. *)
+Ltac by_rule theorem value := opened; split; [value | cbn [fst snd]; (apply theorem || eapply proj2, theorem); assumption].
+Theorem every_rule o given exact :  Forall2 (fun n => encloses s (snd n)) given exact -> allowed o given ->
   encloses (s * (1 + 1 / 2 ^ 49)) (in_float64 o (map fst (map snd given)), counted_roundings o given) (exactly o exact).
 Proof.
-  intros S1 S2 A H. destruct o; (destruct A as [|[a [x ex]] x1 given exact X A]; [try (exfalso; exact H)|
+  intros A H. destruct o; (destruct A as [|[a [x ex]] x1 given exact X A]; [try (exfalso; exact H)|
     try (destruct A as [|[b [y ey]] y1 given exact Y A]; [try (exfalso; exact H) | destruct A; try (exfalso; exact H)])]).
   all: cbn [in_float64 counted_roundings exactly map fst snd allowed] in *.
   - split; [exact (whole_is_float64 m e (proj1 H) (proj2 H)) | split; [apply generic_format_0 | cbn [fst snd]; rewrite Rminus_eq_0, Rabs_R0; lra]].
   - apply encloses_weaker with (2 := H). nra.
   - exact (not_more _ _ _ S1 (encloses_opposite _ _ _ _ X)).
   - destruct X as (X & Ex & Px & Dx). apply not_more; [exact S1|]. split; [apply generic_format_abs, X | split; [exact Ex | split; [exact Px|]]].
-      eapply Rle_trans; [apply Rabs_triang_inv2 | exact Dx].
+      at_most_by Rabs_triang_inv2; exact Dx.
   - apply sum_rule; assumption.
   - apply encloses_opposite in Y. apply sum_rule; assumption.
   - destruct H as (? & ? & ? & ?). apply product_rule; assumption.
-  - destruct H. destruct (exact_zero a x ex) eqn:Z.
-    + destruct (is_exact_zero a s x ex x1 X Z) as (-> & _ & ->). unfold enclosed_quotient_float64.quotient, Rdiv. rewrite !Rmult_0_l, rounded_0.
+  - destruct H. destruct (exact_zero a x ex) eqn:Z. + destruct (is_exact_zero a x ex x1 X Z) as (-> & _ & ->). unfold
+    enclosed_quotient_float64.quotient, Rdiv. rewrite !Rmult_0_l, rounded_0.
       apply zero_encloses.
-    + destruct X as (X & Ex & Px & Dx), Y as (Y & Ey & Py & Dy). by_rule (enclosing_rules__quotient s x ex x1 y ey y1) is_rounded.
-  - exact (root_rule s x ex x1 S1 S2 X H).
-  - destruct X as (X & Ex & Px & Dx). by_rule (enclosing_rules__floor s x ex x1) ltac:(apply (whole_part_is_float64 Zfloor); [apply valid_rnd_DN |
-      exact X]).
-  - destruct X as (X & Ex & Px & Dx). by_rule (enclosing_rules__nearest s x ex x1) ltac:(apply whole_part_is_float64; [apply valid_rnd_N | exact X]).
-  - destruct X as (X & Ex & Px & Dx), Y as (Y & Ey & Py & Dy), H as (? & ? & ? & ?). by_rule (enclosing_rules__sine s x ex x1 y ey y1) ltac:(apply
+    + by_rule (enclosing_rules__quotient s x ex x1 y ey y1) ltac:(apply rounded_is_float64).
+  - exact (root_rule x ex x1 X H).
+  - by_rule (enclosing_rules__floor s x ex x1) ltac:(apply (whole_part_is_float64 Zfloor); [apply valid_rnd_DN | assumption]).
+  - by_rule (enclosing_rules__nearest s x ex x1) ltac:(apply whole_part_is_float64; [apply valid_rnd_N | assumption]).
+  - by_rule (enclosing_rules__sine s x ex x1 y ey y1) ltac:(apply
       sine_result).
-  - destruct X as (X & Ex & Px & Dx), Y as (Y & Ey & Py & Dy), H as (? & ? & ? & ?). by_rule (enclosing_rules__cosine s x ex x1 y ey y1) ltac:(apply
+  - by_rule (enclosing_rules__cosine s x ex x1 y ey y1) ltac:(apply
       cosine_result).
-  - destruct X as (X & Ex & Px & Dx), Y as (Y & Ey & Py & Dy). by_rule (enclosing_rules__angle s y ey y1 x ex x1) ltac:(apply angle_is_float64).
-  - destruct X as (X & Ex & Px & Dx), H as (? & ? & ?). by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
-  - destruct X as (X & Ex & Px & Dx), H as (? & ? & ?). by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
+  - by_rule (enclosing_rules__angle s y ey y1 x ex x1) ltac:(apply angle_is_float64).
+  - by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
+  - by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
 Qed.
+End rules.

@@ -1,7 +1,7 @@
 (* A pixel's colours lie within the bounds that are counted with them, by the program that is recorded from the shader. *)
 
 From Coq Require Import Reals Lra Lia ZArith List.
-From Formal Require Import Float Programs RecordedPixel Rounding EnclosingRules EnclosingOperations EnclosingPrograms.
+From Formal Require Import Programs RecordedPixel Rounding EnclosingRules EnclosingOperations EnclosingPrograms.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -51,38 +51,31 @@ Definition places_of (o : recorded_pixel.operation) (places : list nat) : list n
   end.
 Definition pixel_of (constants : Z -> Z -> R * R) : program operation :=
   map (fun one => (operation_of constants (fst one), places_of (fst one) (snd one))) recorded_pixel.pixel.
-Theorem pixel_accuracy__recorded (constants : Z -> Z -> R * R) (inputs : list number) (exact : list exact_number) (output : nat) : Forall2
-  (known_encloses 1)
-  inputs exact ->
-  let n := nth output (run operation number (machine_of counted_roundings) zero_known (pixel_of constants) inputs) zero_known in
-  value_of n = nth output (run operation R in_float64 0 (pixel_of constants) (map value_of inputs)) 0 /\
-  (fst n -> let x := nth output (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant in
-  fst x /\ Rabs (value_of n - snd x) <= ROUNDING * snd (snd (snd n))).
+Theorem pixel_accuracy__recorded constants inputs exact output : Forall2 (known_encloses 1) inputs exact -> let n := nth output (run operation
+  number (machine_of counted_roundings) zero_known (pixel_of constants) inputs) zero_known in value_of n = nth output (run operation R in_float64
+  0 (pixel_of constants) (map value_of inputs)) 0 /\ (fst n -> let x := nth output (run operation exact_number exact_machine zero_meant (pixel_of
+  constants) exact) zero_meant in fst x /\ Rabs (value_of n - snd x) <= ROUNDING * snd (snd (snd n))).
 Proof.
   intro A. apply enclosing_rules__whole_programs; [|exact A]. unfold pixel_of. rewrite map_length.
   assert (L : (Z.of_nat (length recorded_pixel.pixel) <= 2 ^ 28)%Z) by (apply Z.leb_le; vm_compute; reflexivity). rewrite INR_IZR_INZ, (pow_IZR 2
     28). apply IZR_le, L.
 Qed.
 
-Lemma inputs_stay (V : Type) (m : machine operation V) (none : V) p : forall values place, (place < length values)%nat -> nth place (run operation V
-  m none p values) none = nth place values none.
+Lemma inputs_stay (V : Type) m none p : forall values place, (place < length values)%nat -> nth place (run operation V m none p values) none = nth
+  place values none.
 Proof. induction p as [|[o places] p IH]; intros values place L; cbn [run]; [reflexivity|]. rewrite IH, app_nth1 by (rewrite ?app_length; lia).
   reflexivity. Qed.
-Theorem pixel_accuracy__recorded__point : exists (inputs : list number) (exact : list exact_number), Forall2 (known_encloses 1) inputs exact /\
-  Forall (fun n =>
-  fst n) inputs /\ length inputs = recorded_pixel.inputs.
+Theorem pixel_accuracy__recorded__point : exists inputs exact, Forall2 (known_encloses 1) inputs exact /\ Forall (fun n => fst n) inputs /\ length
+  inputs = recorded_pixel.inputs.
 Proof.
   exists (repeat (True, (ordinary, (1, 0))) recorded_pixel.inputs), (repeat (True, 1) recorded_pixel.inputs). rewrite repeat_length. generalize
     recorded_pixel.inputs. intro n.
   induction n as [|n (A & K & _)]; repeat split; constructor; try assumption; [apply exactly_known, one_is_float64 | exact I].
 Qed.
 (* What is not known need not be within its bound. *)
-Theorem pixel_accuracy__recorded__false : ~ forall (constants : Z -> Z -> R * R) (inputs : list number) (exact : list exact_number) (output : nat),
-  Forall2
-  (known_encloses 1) inputs exact ->
-  let n := nth output (run operation number (machine_of counted_roundings) zero_known (pixel_of constants) inputs) zero_known in
-  Rabs (value_of n - snd (nth output (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant)) <= ROUNDING * snd
-    (snd (snd n)).
+Theorem pixel_accuracy__recorded__false : ~ forall constants inputs exact output, Forall2 (known_encloses 1) inputs exact -> let n := nth output
+  (run operation number (machine_of counted_roundings) zero_known (pixel_of constants) inputs) zero_known in Rabs (value_of n - snd (nth output
+  (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant)) <= ROUNDING * snd (snd (snd n)).
 Proof.
   intro H. specialize (H (fun _ _ => (0, 0)) ((False, (ordinary, (1, 0))) :: nil) ((True, 0) :: nil) 0%nat). cbv zeta in H. rewrite !inputs_stay in H
     by

@@ -8,7 +8,7 @@ Import ListNotations.
 
 (* A number of a program: whether it is known to be within its count, its kind, its value, and that count. *)
 Definition number : Type := Prop * (kind * (R * R)).
-Definition value_of (n : number) : R := fst (snd (snd n)).
+Definition value_of (n : number) := fst (snd (snd n)).
 Definition zero_known : number := (True, (Written None, (0, 0))).
 (* Numbers that are known and not too near decide a comparison; one test that does not hold decides both. *)
 Fixpoint test_settled (c : test) (given : list number) : Prop :=
@@ -21,37 +21,26 @@ Fixpoint test_settled (c : test) (given : list number) : Prop :=
     value_of given) = false
   end.
 (* A result is known where all that its operation takes is, and its rule allows it; a selection needs no side that it leaves out. *)
-Definition known (o : operation) (given : list number) : Prop :=
-  match o, given with
-  | Choose c, x :: y :: compared =>
-    if leaves_open c (map snd (map snd compared)) then fst x /\ fst y else test_settled c compared /\ fst (if holds c (map value_of compared) then x
-      else y)
-  | _, _ => Forall (fun n => fst n) given /\ allowed o (map snd given)
-  end.
+Definition known (o : operation) (given : list number) := match o, given with | Choose c, x :: y :: compared => if leaves_open c (map snd (map snd
+  compared)) then fst x /\ fst y else test_settled c compared /\ fst (if holds c (map value_of compared) then x else y) | _, _ => Forall (fun n =>
+  fst n) given /\ allowed o (map snd given) end.
 Definition machine_of (count : operation -> list (kind * (R * R)) -> R) : machine operation number :=
   fun o given => (known o given, (kind_of o (map (fun n => fst (snd n)) given), (in_float64 o (map value_of given), count o (map snd given)))).
 
 (* An exact number has a meaning where no divisor that it needs is 0, and of no logarithm the argument is not positive. *)
 Definition exact_number : Type := Prop * R.
 Definition zero_meant : exact_number := (True, 0).
-Definition meant (o : operation) (given : list exact_number) : Prop :=
-  match o, given with
-  | Choose c, x :: y :: compared => fst (if holds c (map snd compared) then x else y)
-  | Quotient, [x; y] => fst x /\ fst y /\ snd y <> 0
-  | Logarithm, [x] => fst x /\ 0 < snd x
-  | _, _ => Forall (fun x => fst x) given
-  end.
+Definition meant (o : operation) (given : list exact_number) := match o, given with | Choose c, x :: y :: compared => fst (if holds c (map snd
+  compared) then x else y) | Quotient, [x; y] => fst x /\ fst y /\ snd y <> 0 | Logarithm, [x] => fst x /\ 0 < snd x | _, _ => Forall (fun x =>
+  fst x) given end.
 Definition exact_machine : machine operation exact_number := fun o given => (meant o given, exactly o (map snd given)).
 
-Definition known_encloses (s : R) (n : number) (x : exact_number) : Prop := fst n -> fst x /\ encloses s (snd (snd n)) (snd x).
-Definition bounds_programs (count : operation -> list (kind * (R * R)) -> R) : Prop :=
-  forall (p : program operation) (inputs : list number) (exact : list exact_number) (output : nat), INR (length p) <= 2 ^ 28 -> Forall2
-    (known_encloses 1)
-    inputs exact ->
-  let n := nth output (run operation number (machine_of count) zero_known p inputs) zero_known in
-  value_of n = nth output (run operation R in_float64 0 p (map value_of inputs)) 0 /\
+Definition known_encloses (s : R) (n : number) (x : exact_number) := fst n -> fst x /\ encloses s (snd (snd n)) (snd x).
+Definition bounds_programs (count : operation -> list (kind * (R * R)) -> R) := forall (p : program operation) (inputs : list number) (exact :
+  list exact_number) (output : nat), INR (length p) <= 2 ^ 28 -> Forall2 (known_encloses 1) inputs exact -> let n := nth output (run operation
+  number (machine_of count) zero_known p inputs) zero_known in value_of n = nth output (run operation R in_float64 0 p (map value_of inputs)) 0 /\
   (fst n -> let x := nth output (run operation exact_number exact_machine zero_meant p exact) zero_meant in fst x /\ Rabs (value_of n - snd x) <=
-    ROUNDING * snd (snd (snd n))).
+  ROUNDING * snd (snd (snd n))).
 
 Section composition.
 Variable s : R.
@@ -81,9 +70,9 @@ Proof.
   induction c as [i j | i j | c IH | c IHc d IHd]; cbn [test_settled holds]; [| | intro N; f_equal; apply IH, N |].
   1, 2: intros (Ki & Kj & N); rewrite !V, !U; unfold value_of in *; destruct (nth_enclosed _ _ i A Ki) as [_ Ei]; destruct (nth_enclosed _ _ j A Kj)
     as [_ Ej];
-    assert (L := not_near _ _ _
-    _ Ei Ej N); rewrite near_is_symmetric in N;
-    assert (G := not_near _ _ _ _ Ej Ei N).
+    pose proof not_near _ _ _
+    _ Ei Ej N as L; rewrite near_is_symmetric in N;
+    pose proof not_near _ _ _ _ Ej Ei N as G.
   - destruct Rlt_dec, Rlt_dec; reflexivity || tauto.
   - destruct Req_EM_T as [E|E], Req_EM_T as [E'|E']; try reflexivity; exfalso; [apply E' | apply E]; apply Rle_antisym; apply Rnot_lt_le; intro H;
       first [apply L in H | apply G in H]; lra.
@@ -150,9 +139,9 @@ Proof.
   intros p inputs exact output N A n. split.
   - unfold n. change 0 with (value_of zero_known). rewrite <- (around operation number R value_of (machine_of counted_roundings) in_float64) by
       reflexivity. rewrite map_nth. reflexivity.
-  - destruct (enclosing_rules__slack _ N) as [S B]. assert (C := composition p 1 inputs exact (Rle_refl 1)). rewrite Rmult_1_l in C. specialize (C S
+  - destruct (enclosing_rules__slack _ N) as [S B]. pose proof composition p 1 inputs exact (Rle_refl 1) as C. rewrite Rmult_1_l in C. specialize (C S
       A). intro K.
-    destruct (nth_enclosed _ _ _ output C K) as (M & _ & _ & P & D). split; [exact M|]. eapply Rle_trans; [exact D|].
+    destruct (nth_enclosed _ _ _ output C K) as (M & _ & _ & P & D). split; [exact M|]. at_most_by D.
     fold n. fold n in P. apply Rle_trans with ((1 + 1 / 2 ^ 49) ^ length p / 2 ^ 53 * snd (snd (snd n))); [lra | apply Rmult_le_compat_r; assumption].
 Qed.
 
@@ -164,11 +153,9 @@ Lemma exactly_apart a b : too_near (a, 0) (b, 0) = false.
 Proof. unfold too_near. cbn [fst snd]. rewrite Rplus_0_r, rounded_0. destruct (either _ _) as [|[_ N]]; [reflexivity | destruct (N eq_refl)]. Qed.
 (* Two lines: 1/0, unless 0 < 1. The quotient's rule allows nothing, and what takes the other side is known. *)
 Definition ordinary : kind := Run false false.
-Theorem enclosing_rules__whole_programs__point : exists (p : program operation) (inputs : list number) (exact : list exact_number), INR (length p) <=
-  2 ^ 28 /\
-  Forall2 (known_encloses 1) inputs exact /\
-  let results := run operation number (machine_of counted_roundings) zero_known p inputs in fst (nth 3 results zero_known) /\ ~ fst (nth 2 results
-    zero_known).
+Theorem enclosing_rules__whole_programs__point : exists p inputs exact, INR (length p) <= 2 ^ 28 /\ Forall2 (known_encloses 1) inputs exact /\ let
+  results := run operation number (machine_of counted_roundings) zero_known p inputs in fst (nth 3 results zero_known) /\ ~ fst (nth 2 results
+  zero_known).
 Proof.
   exists ((Quotient, [0; 1]%nat) :: (Choose (Less 0 1), [0; 2; 1; 0]%nat) :: nil), ((True, (ordinary, (1, 0))) :: (True, (ordinary, (0, 0))) :: nil),
     ((True, 1) :: (True, 0) :: nil).
@@ -177,15 +164,12 @@ Proof.
 Qed.
 (* Counts that an open selection adds nothing to, those of products that one factor's count is left to, and those by which a constant may be another
   than what it stands for, bound no programs. *)
-Definition without_open (o : operation) (given : list (kind * (R * R))) : R :=
-  match o, given with
-  | Choose c, (_, (_, e)) :: (_, (_, d)) :: compared => if holds c (map fst (map snd compared)) then e else d
-  | _, _ => counted_roundings o given
-  end.
-Definition without_factor (o : operation) (given : list (kind * (R * R))) : R := match o, given with Product, [(_, (_, e)); _] => e | _, _ =>
+Definition without_open (o : operation) (given : list (kind * (R * R))) := match o, given with | Choose c, (_, (_, e)) :: (_, (_, d)) :: compared
+  => if holds c (map fst (map snd compared)) then e else d | _, _ => counted_roundings o given end.
+Definition without_factor (o : operation) (given : list (kind * (R * R))) := match o, given with Product, [(_, (_, e)); _] => e | _, _ =>
   counted_roundings o given end.
-Definition without_constant (o : operation) (given : list (kind * (R * R))) : R := match o with Constant _ _ _ => 0 | _ => counted_roundings o given
-    end.
+Definition without_constant (o : operation) (given : list (kind * (R * R))) := match o with Constant _ _ _ => 0 | _ => counted_roundings o given
+  end.
 Theorem enclosing_rules__whole_programs__false : ~ bounds_programs without_open /\ ~ bounds_programs without_factor /\ ~ bounds_programs
     without_constant.
 Proof.

@@ -1,14 +1,16 @@
 (* Sphere B: where rays hit it, and its silhouette, which is also a shadow's outline, seen from the light. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Camera Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
-Ltac by_squares := repeat match goal with |- context [?a ^ 2] => lazymatch goal with H : 0 <= a ^ 2 |- _ => fail | _ => pose proof (pow2_ge_0 a) end end; lra.
+Ltac by_squares := repeat match goal with |- context [?a ^ 2] => lazymatch goal with H : 0 <= a ^ 2 |- _ => fail | _ => pose proof (pow2_ge_0 a) end
+  end; lra.
 Ltac root_of_b a d b t q := match goal with D : d >= 0, B : b > 0, T := ?n / (q + b) |- _ => set (c := n) in *;
-  assert (Q : d = b ^ 2 - a * c) by (lines; ring); pose proof (Rmax_l 0 d) as M; assert (RQ : q = sqrt d) by (unfold q; rewrite Rmax_right by lra; reflexivity);
+  assert (Q : d = b ^ 2 - a * c) by (lines; ring); pose proof (Rmax_l 0 d) as M; assert (RQ : q = sqrt d) by (unfold q; rewrite Rmax_right by lra;
+    reflexivity);
   generalize (root_by_conjugate a b c d B Q (Rge_le _ _ D)); cbv zeta; rewrite <- RQ, (Rplus_comm b q); fold t; intros (Q0 & QQ & TM & TA & TQ);
     assert (QB : q + b > 0) by lra end.
 
@@ -58,12 +60,9 @@ Definition on_b (t x y e cx cy cz r : R) := distance2 t x y e cx cy cz = r ^ 2.
 Definition c_of_b (e cx cy cz r : R) := dot3 cx cy (cz - e) cx cy (cz - e) - r ^ 2.
 
 (* |P(t) - C|^2 - R_2^2 = |D|^2 t^2 - 2 b t + c and d = b^2 - |D|^2 c, with D = (x, y, -e), b = -D.(E - C). *)
-Lemma quadratic_of_b (t x y e cx cy cz r : R) :
-  hit_of_b.toward_b x y e cx cy cz = - dot3 x y (- e) (- cx) (- cy) (e - cz) /\
-  distance2 t x y e cx cy cz - r ^ 2 =
-    dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + c_of_b e cx cy cz r /\
-  hit_of_b.discriminant_b x y e cx cy cz r =
-    hit_of_b.toward_b x y e cx cy cz ^ 2 - dot3 x y (- e) x y (- e) * c_of_b e cx cy cz r.
+Lemma quadratic_of_b t x y e cx cy cz r : hit_of_b.toward_b x y e cx cy cz = - dot3 x y (- e) (- cx) (- cy) (e - cz) /\ distance2 t x y e cx cy cz
+  - r ^ 2 = dot3 x y (- e) x y (- e) * t ^ 2 - 2 * hit_of_b.toward_b x y e cx cy cz * t + c_of_b e cx cy cz r /\ hit_of_b.discriminant_b x y e cx
+  cy cz r = hit_of_b.toward_b x y e cx cy cz ^ 2 - dot3 x y (- e) x y (- e) * c_of_b e cx cy cz r.
 Proof.
   unfold distance2; hit_of_b.lines; unfold c_of_b, dot3.
   repeat split; ring.
@@ -74,12 +73,9 @@ Lemma quadratic_b t x y e cx cy cz r : on_b t x y e cx cy cz r <->
 Proof. destruct (quadratic_of_b t x y e cx cy cz r) as (_ & Q & _). unfold on_b. split; intros; lra. Qed.
 
 (* If c > 0, d >= 0 and b > 0, then t = c / (b + sqrt d) is the least root of |P(t) - C|^2 = R_2^2, and t > 0. *)
-Theorem hit_of_b__first_hit (x y e cx cy cz r on : R) : 0 < on -> 0 < c_of_b e cx cy cz r ->
-  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
-  exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\
-  t = c_of_b e cx cy cz r
-      / (hit_of_b.toward_b x y e cx cy cz + sqrt (hit_of_b.discriminant_b x y e cx cy cz r)) /\
-  0 < t /\ on_b t x y e cx cy cz r /\ forall s, on_b s x y e cx cy cz r -> t <= s.
+Theorem hit_of_b__first_hit x y e cx cy cz r on : 0 < on -> 0 < c_of_b e cx cy cz r -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 <
+  hit_of_b.toward_b x y e cx cy cz -> exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\ t = c_of_b e cx cy cz r / (hit_of_b.toward_b x y e
+  cx cy cz + sqrt (hit_of_b.discriminant_b x y e cx cy cz r)) /\ 0 < t /\ on_b t x y e cx cy cz r /\ forall s, on_b s x y e cx cy cz r -> t <= s.
 Proof.
   intros On C D B. destruct (quadratic_of_b 0 x y e cx cy cz r) as (_ & _ & Q).
   set (b := hit_of_b.toward_b x y e cx cy cz) in *. set (d := hit_of_b.discriminant_b x y e cx cy cz r) in *.
@@ -105,9 +101,8 @@ Theorem hit_of_b__first_hit__point : exists x y e cx cy cz r on, 0 < on /\ 0 < c
 Proof. exists 0, 0, 4, 0, 0, 0, 1, 1. destruct point_b as (-> & -> & ->). lra. Qed.
 
 (* Not where the eye is inside B. *)
-Theorem hit_of_b__first_hit__false : ~ forall x y e cx cy cz r on : R, 0 < on ->
-  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 < hit_of_b.toward_b x y e cx cy cz ->
-  exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\ 0 < t.
+Theorem hit_of_b__first_hit__false : ~ forall x y e cx cy cz r on, 0 < on -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r -> 0 <
+  hit_of_b.toward_b x y e cx cy cz -> exists t, hit_of_b.t_b x y e cx cy cz r on = Finite t /\ 0 < t.
 Proof.
   intros F. destruct (F 0 0 4 0 0 3 2 1) as (t & T & P); [lra | | |].
   1, 2: hit_of_b.lines; lra.
@@ -136,8 +131,8 @@ Proof.
 Qed.
 
 (* What both sides of the eye have in common: h is the eye's height above the centre, c >= s, and b = q + e h. *)
-Lemma apart (e h r s q i c : R) : e > 0 -> h ^ 2 >= r ^ 2 -> c = h ^ 2 + s - r ^ 2 -> c > 0 -> i >= 0 -> s * i >= q ^ 2 ->
-  (h * e + q) ^ 2 >= c * (e ^ 2 + i) -> i * (c - s) >= 0 /\ e ^ 2 > 0 /\ e ^ 2 * c > 0 /\ c * (e ^ 2 + i) > q ^ 2 /\ h * e * (2 * (h * e + q) - h * e) > 0.
+Lemma apart e h r s q i c : e > 0 -> h ^ 2 >= r ^ 2 -> c = h ^ 2 + s - r ^ 2 -> c > 0 -> i >= 0 -> s * i >= q ^ 2 -> (h * e + q) ^ 2 >= c * (e ^ 2
+  + i) -> i * (c - s) >= 0 /\ e ^ 2 > 0 /\ e ^ 2 * c > 0 /\ c * (e ^ 2 + i) > q ^ 2 /\ h * e * (2 * (h * e + q) - h * e) > 0.
 Proof.
   intros E H C P I Q B. assert (F : i * (c - s) >= 0) by (rewrite C; nra). assert (e ^ 2 > 0) by nra. assert (e ^ 2 * c > 0) by nra.
   repeat split; lra.
@@ -180,8 +175,8 @@ Qed.
 
 (* If |H| >= R_2 the silhouette has a point, so that what is called an ellipse is one: the discriminant is positive at
    the image of B's centre, and has a root on either side along any line (p, q) that leaves the conic. *)
-Theorem silhouette_of_b__real (e cx cy cz r : R) : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r -> r ^ 2 <= (e - cz) ^ 2 ->
-  exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0.
+Theorem silhouette_of_b__real e cx cy cz r : 0 < e -> 0 < r -> 0 < c_of_b e cx cy cz r -> r ^ 2 <= (e - cz) ^ 2 -> exists x y,
+  hit_of_b.discriminant_b x y e cx cy cz r = 0.
 Proof.
   intros He Hr C H. set (h := e - cz) in *. set (c := c_of_b e cx cy cz r) in *. set (w := cx ^ 2 + cy ^ 2).
   assert (W : c = w + h ^ 2 - r ^ 2) by (unfold c, c_of_b, dot3, w, h; ring).
@@ -203,16 +198,16 @@ Theorem silhouette_of_b__real__point : exists e cx cy cz r, 0 < e /\ 0 < r /\ 0 
 Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). lra. Qed.
 
 (* Not with the eye on B. *)
-Theorem silhouette_of_b__real__false : ~ forall e cx cy cz r : R, 0 < e -> 0 < r -> r ^ 2 <= (e - cz) ^ 2 ->
-  exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0.
+Theorem silhouette_of_b__real__false : ~ forall e cx cy cz r, 0 < e -> 0 < r -> r ^ 2 <= (e - cz) ^ 2 -> exists x y, hit_of_b.discriminant_b x y e
+  cx cy cz r = 0.
 Proof.
   intros F. destruct (F 4 0 0 3 1) as (x & y & D); try lra. unfold hit_of_b.discriminant_b, hit_of_b.distance in D. lra.
 Qed.
 
 (* If |H| < R_2 it has points with b > 0 and points with b < 0. *)
-Theorem silhouette_of_b__two_branches (e cx cy cz r : R) : 0 < e -> 0 < c_of_b e cx cy cz r -> (e - cz) ^ 2 < r ^ 2 ->
-  (exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ 0 < hit_of_b.toward_b x y e cx cy cz) /\
-  (exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ hit_of_b.toward_b x y e cx cy cz < 0).
+Theorem silhouette_of_b__two_branches e cx cy cz r : 0 < e -> 0 < c_of_b e cx cy cz r -> (e - cz) ^ 2 < r ^ 2 -> (exists x y,
+  hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ 0 < hit_of_b.toward_b x y e cx cy cz) /\ (exists x y, hit_of_b.discriminant_b x y e cx cy cz r =
+  0 /\ hit_of_b.toward_b x y e cx cy cz < 0).
 Proof.
   intros He Hc H.
   set (w := cx ^ 2 + cy ^ 2). assert (W : c_of_b e cx cy cz r = w + ((e - cz) ^ 2 - r ^ 2)) by (unfold c_of_b, dot3, w; ring).
@@ -237,17 +232,16 @@ Theorem silhouette_of_b__two_branches__point : exists e cx cy cz r, 0 < e /\ 0 <
 Proof. exists 3, 2, 0, 3, 1. unfold c_of_b, dot3. lra. Qed.
 
 (* Not if |H| = R_2. *)
-Theorem silhouette_of_b__two_branches__false : ~ forall e cx cy cz r : R, 0 < e -> 0 < c_of_b e cx cy cz r -> (e - cz) ^ 2 <= r ^ 2 ->
-  exists x y, hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ hit_of_b.toward_b x y e cx cy cz < 0.
+Theorem silhouette_of_b__two_branches__false : ~ forall e cx cy cz r, 0 < e -> 0 < c_of_b e cx cy cz r -> (e - cz) ^ 2 <= r ^ 2 -> exists x y,
+  hit_of_b.discriminant_b x y e cx cy cz r = 0 /\ hit_of_b.toward_b x y e cx cy cz < 0.
 Proof.
   intros F. specialize (F 4 2 0 3 1). unfold c_of_b, dot3 in F. destruct F as (x & y & D & B); try lra.
   unfold hit_of_b.discriminant_b, hit_of_b.toward_b, hit_of_b.distance in *. nra.
 Qed.
 
 (* A ray meets B in front of the eye exactly if d >= 0 and b > 0: so the silhouette is seen where b > 0. *)
-Theorem silhouette_of_b__meets (x y e cx cy cz r : R) : 0 < c_of_b e cx cy cz r ->
-  (exists t, 0 < t /\ on_b t x y e cx cy cz r) <->
-  0 <= hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
+Theorem silhouette_of_b__meets x y e cx cy cz r : 0 < c_of_b e cx cy cz r -> (exists t, 0 < t /\ on_b t x y e cx cy cz r) <-> 0 <=
+  hit_of_b.discriminant_b x y e cx cy cz r /\ 0 < hit_of_b.toward_b x y e cx cy cz.
 Proof.
   intros C. split.
   - intros (t & P & M). apply quadratic_b in M.
@@ -265,8 +259,8 @@ Theorem silhouette_of_b__meets__point : exists e cx cy cz r, 0 < c_of_b e cx cy 
 Proof. exists 4, 0, 0, 0, 1. destruct point_b as (_ & _ & ->). lra. Qed.
 
 (* Not if d >= 0 alone. *)
-Theorem silhouette_of_b__meets__false : ~ forall x y e cx cy cz r : R, 0 < c_of_b e cx cy cz r ->
-  0 <= hit_of_b.discriminant_b x y e cx cy cz r -> exists t, 0 < t /\ on_b t x y e cx cy cz r.
+Theorem silhouette_of_b__meets__false : ~ forall x y e cx cy cz r, 0 < c_of_b e cx cy cz r -> 0 <= hit_of_b.discriminant_b x y e cx cy cz r ->
+  exists t, 0 < t /\ on_b t x y e cx cy cz r.
 Proof.
   intros F. destruct (F 0 0 4 0 0 8 1) as (t & P & M).
   1, 2: unfold c_of_b; hit_of_b.lines; unfold dot3; lra.

@@ -17,13 +17,12 @@ Fixpoint run (V : Type) (m : machine V) (nothing : V) (p : program) (values : li
   | (o, places) :: rest => run V m nothing rest (values ++ [m o (taken V nothing values places)])
   end.
 
-Lemma run_length (V : Type) (m : machine V) nothing p : forall values, length (run V m nothing p values) = length values + length p.
+Lemma run_length (V : Type) m nothing p : forall values, length (run V m nothing p values) = length values + length p.
 Proof. induction p as [|[o places] p IH]; intro values; simpl; [|rewrite IH, app_length; simpl]; lia. Qed.
 
 (* The values of a machine are those of the machine that it is built around, whatever else it carries with them. *)
-Theorem around (V W : Type) (inside : V -> W) (outer : machine V) (inner : machine W) (nothing : V) :
-  (forall o given, inside (outer o given) = inner o (map inside given)) ->
-  forall p values, map inside (run V outer nothing p values) = run W inner (inside nothing) p (map inside values).
+Theorem around (V W : Type) inside outer inner nothing : (forall o given, inside (outer o given) = inner o (map inside given)) -> forall p values,
+  map inside (run V outer nothing p values) = run W inner (inside nothing) p (map inside values).
 Proof.
   intros H p. induction p as [|[o places] p IH]; intro values; simpl; [reflexivity|]. rewrite IH, map_app. simpl. rewrite H. unfold taken.
   rewrite map_map. do 4 f_equal. apply map_ext. intro. symmetry. apply map_nth.
@@ -42,8 +41,8 @@ Variable V : Type.
 Variable m : machine V.
 Variable nothing : V.
 (* Two lists of values may differ where they are marked. *)
-Definition agree (marked : list bool) (values others : list V) : Prop :=
-  length values = length marked /\ length others = length marked /\ forall i, nth i marked false = false -> nth i values nothing = nth i others nothing.
+Definition agree (marked : list bool) (values others : list V) := length values = length marked /\ length others = length marked /\ forall i, nth
+  i marked false = false -> nth i values nothing = nth i others nothing.
 
 Lemma agree_taken marked values others places : agree marked values others -> existsb (fun b => b) (taken bool false marked places) = false ->
   taken V nothing values places = taken V nothing others places.
@@ -66,10 +65,9 @@ Qed.
 End independence.
 
 (* On no machine do some outputs change with some of so many inputs. *)
-Definition independent (p : program) (inputs : nat) (places outputs : list nat) : Prop :=
-  forall (V : Type) (m : machine V) (nothing : V) (values others : list V), length values = inputs -> length others = inputs ->
-  (forall i, ~ In i places -> nth i values nothing = nth i others nothing) ->
-  taken V nothing (run V m nothing p values) outputs = taken V nothing (run V m nothing p others) outputs.
+Definition independent (p : program) (inputs : nat) (places outputs : list nat) := forall (V : Type) (m : machine V) (nothing : V) (values others
+  : list V), length values = inputs -> length others = inputs -> (forall i, ~ In i places -> nth i values nothing = nth i others nothing) -> taken
+  V nothing (run V m nothing p values) outputs = taken V nothing (run V m nothing p others) outputs.
 
 Lemma at_place inputs places i : nth i (at_places inputs places) false = (i <? inputs) && existsb (Nat.eqb i) places.
 Proof.
@@ -78,7 +76,7 @@ Proof.
     rewrite (map_nth (fun j => existsb (Nat.eqb j) places)), seq_nth by assumption. reflexivity.
   - apply nth_overflow. rewrite map_length, seq_length. assumption.
 Qed.
-Lemma is_in (i : nat) (places : list nat) : In i places <-> existsb (Nat.eqb i) places = true.
+Lemma is_in i places : In i places <-> existsb (Nat.eqb i) places = true.
 Proof. rewrite existsb_exists. split; [exists i; rewrite Nat.eqb_refl; auto | intros (j & I & ->%Nat.eqb_eq); exact I]. Qed.
 (* That is computed on the program: the machine of truth values is one of them. *)
 Theorem independence p inputs places outputs : reaches p inputs places outputs = false -> independent p inputs places outputs.

@@ -4,19 +4,19 @@ From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedFunctions RoundedAngle.
+From Formal Require Import Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedAngle.
 Open Scope R_scope.
 
 (* On the reduced argument the polynomial is within 2^-57 of the exponential. *)
-Theorem elementary_functions__exponential (r : R) : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <=
-  1 / 2 ^ 57.
+Theorem elementary_functions__exponential r : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1
+  / 2 ^ 57.
 Proof.
   intro B. exponential_polynomial.lines.
   interval with (i_taylor r, i_degree 18, i_prec 120).
 Qed.
 
-Lemma rest_is_float64 (p : R) (k : Z) : float64 p -> Rabs (p - IZR k * bpow radix2 (-15)) < 1/2 -> 1/4 <= Rabs p \/ k = 0%Z -> float64 (p - IZR k *
-  bpow radix2 (-15)).
+Lemma rest_is_float64 p k : float64 p -> Rabs (p - IZR k * bpow radix2 (-15)) < 1/2 -> 1/4 <= Rabs p \/ k = 0%Z -> float64 (p - IZR k * bpow
+  radix2 (-15)).
 Proof.
   intros F S [B | ->]; [|rewrite Rmult_0_l, Rminus_0_r; exact F]. destruct (multiple_of_power p (-54) F) as [m E]; [simpl; lra|].
   assert (H : p - IZR k * bpow radix2 (-15) = IZR (m - k * 2 ^ 39) * bpow radix2 (-54)) by (rewrite E, minus_IZR, mult_IZR; simpl; lra). rewrite H in
@@ -53,7 +53,8 @@ Proof.
   assert (S : Rabs (p - IZR n * (22713/32768)) <= 3481/10000).
   { replace (p - _) with (p - IZR n * ln 2 + IZR n * (ln 2 - 22713/32768)) by ring. generalize doublings_off. set (d := p - IZR n * ln 2). intro D.
     generalize doublings_range. clearbody d. generalize (IZR n). intros w W. both_ways D. interval. }
-  split; [|exact S]. destruct near_doublings as [D N]. unfold exponential_of_sum_float64.away_high. change (exponential_of_sum_float64.whole p) with (IZR n).
+  split; [|exact S]. destruct near_doublings as [D N]. unfold exponential_of_sum_float64.away_high. change (exponential_of_sum_float64.whole p)
+    with (IZR n).
   assert (W : IZR n * (22713/32768) = IZR (22713 * n) * bpow radix2 (-15)) by (rewrite mult_IZR; change (bpow radix2 (-15)) with (/ 32768); field).
   assert (K : float64 (IZR n * (22713/32768))) by (rewrite W; apply whole_is_float64; lia).
   rewrite (Rmult_comm (22713/32768)), (kept _ K). apply kept. rewrite W in *. apply rest_is_float64; [exact F | lra|].
@@ -64,23 +65,25 @@ Qed.
 Lemma away_near : let a := exponential_of_sum_float64.away p e in let b := exponential_of_sum_float64.away_error p e in
   Rabs a <= 3467/10000 /\ Rabs b <= 35/100 / 2 ^ 53 /\ Rabs (a + b - r) <= 7/1000 / 2 ^ 53.
 Proof.
-  intros a b. destruct away_high_printed as [H S]. set (h := exponential_of_sum_float64.away_high p) in *. set (l := exponential_of_sum_float64.away_low p e).
-  set (L := 3373202482714085 / 2361183241434822606848). assert (W := doublings_range).
+  intros a b. destruct away_high_printed as [H S]. set (h := exponential_of_sum_float64.away_high p) in *. set (l :=
+    exponential_of_sum_float64.away_low p e).
+  set (L := 3373202482714085 / 2361183241434822606848). pose proof doublings_range as W.
   assert (E1 : Rabs (l - (L * IZR n - e)) <= 3/1000 / 2 ^ 53 /\ Rabs (L * IZR n - e) <= 147/100000).
   { assert (P : Rabs (L * IZR n) <= 1465/1000000) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval). split.
     - unfold l, exponential_of_sum_float64.away_low. change (exponential_of_sum_float64.whole p) with (IZR n). fold L.
-      assert (T : Rabs (L * IZR n - e) <= 147/100000) by (eapply Rle_trans; [apply Rabs_triang|]; rewrite Rabs_Ropp; lra).
+      assert (T : Rabs (L * IZR n - e) <= 147/100000) by (at_most_by Rabs_triang; rewrite Rabs_Ropp; lra).
       eapply Rle_trans; [eapply difference_error; [exact T | exact (rounded_error _ _ P) | apply no_error] | lra].
-    - eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
+    - at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
   destruct E1 as [E1 Bl]. assert (E2 : Rabs (h - l - r) <= 4/1000 / 2 ^ 53).
   { assert (G : Rabs (IZR n * (ln 2 - 22713/32768 - L)) <= 3/10000 / 2 ^ 53) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval with
     (i_prec 100)).
     replace (h - l - r) with (IZR n * (ln 2 - 22713/32768 - L) - (l - (L * IZR n - e))) by (rewrite H; unfold r; ring).
-    eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
+    at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
   assert (Br : Rabs r <= 34659/100000).
-  { replace r with (p - IZR n * ln 2 + e) by (unfold r; ring). generalize doublings_off. intro D. eapply Rle_trans; [apply Rabs_triang|]. lra. }
+  { replace r with (p - IZR n * ln 2 + e) by (unfold r; ring). generalize doublings_off. intro D. at_most_by Rabs_triang. lra. }
   assert (E3 : Rabs (a - (h - l)) <= 3467/10000 / 2 ^ 53).
-  { assert (T : Rabs (h - l) <= 3466/10000) by (eapply Rle_trans; [exact (size _ _ _ _ Br E2) | lra]). eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
+  { assert (T : Rabs (h - l) <= 3466/10000) by (eapply Rle_trans; [exact (size _ _ _ _ Br E2) | lra]). eapply Rle_trans; [exact (rounded_error _ _
+    T) | lra]. }
   assert (E4 : Rabs (exponential_of_sum_float64.away_gained p e - (h - a)) <= 15/10000 / 2 ^ 53).
   { assert (T : Rabs (h - a) <= 1471/1000000).
     { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. by_sides. }
@@ -93,11 +96,11 @@ Proof.
 Qed.
 End exponential.
 
-Lemma both_error (a ah b bh S ea eb : R) : Rabs (a + b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah + bh) - (a + b)) <= (S
-  + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
+Lemma both_error a ah b bh S ea eb : Rabs (a + b) <= S -> Rabs (ah - a) <= ea -> Rabs (bh - b) <= eb -> Rabs (rounded (ah + bh) - (a + b)) <= (S +
+  (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
 Proof. intros S1 A1 B1. replace (ah + bh) with (ah - - bh) by ring. replace (a + b) with (a - - b) in * by ring. apply difference_error; try
   assumption. apply of_opposites, B1. Qed.
-Lemma near_one (t : R) : - (3467/10000) <= t <= 3467/10000 -> 7/10 <= exp t <= 15/10.
+Lemma near_one t : - (3467/10000) <= t <= 3467/10000 -> 7/10 <= exp t <= 15/10.
 Proof. split; interval. Qed.
 
 (* What the polynomial loses in float64. *)
@@ -113,7 +116,8 @@ Proof.
     exponential_polynomial.exponential_tail. rewrite Rplus_0_l.
   fold a b. set (zh := exponential_of_sum_float64.away_squared p e). set (z := exponential_polynomial.away_squared a).
   assert (Z : 0 <= z <= 12021/100000).
-  { assert (G : forall t, - (3467/10000) <= t <= 3467/10000 -> 0 <= t ^ 2 <= 12021/100000) by (intros; split; [apply pow2_ge_0 | interval]). exact (G a A). }
+  { assert (G : forall t, - (3467/10000) <= t <= 3467/10000 -> 0 <= t ^ 2 <= 12021/100000) by (intros; split; [apply pow2_ge_0 | interval]). exact
+    (G a A). }
   assert (Ez : Rabs (zh - z) <= 121/1000 / 2 ^ 53).
   { unfold zh, exponential_of_sum_float64.away_squared. fold a. replace (a * a) with z by (unfold z, exponential_polynomial.away_squared; ring).
     eapply Rle_trans; [apply (rounded_error _ (12021/100000)); apply Rabs_le; lra | lra]. }
@@ -128,32 +132,33 @@ Proof.
 Qed.
 Lemma near_rounded : let v := exp a in Rabs (exponential_of_sum_float64.exponential_near p e - (v + b)) <= (v + Rabs (v - 1) + 376/1000) / 2 ^ 53.
 Proof.
-  intro v. assert (M := departure_rounded). assert (X := elementary_functions__exponential a A). fold v in X. assert (V := near_one a A). fold v in V.
+  intro v. pose proof departure_rounded as M. pose proof elementary_functions__exponential a A as X. fold v in X. pose proof near_one a A as V.
+    fold v in V.
   unfold exponential_polynomial.exponential_near, exponential_polynomial.departure in X. set (w := exponential_polynomial.departure_low a 0) in *.
   unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh :=
     exponential_of_sum_float64.departure_low p e) in *. clearbody a b v w wh.
   assert (S : Rabs (a + (b + w)) <= Rabs (v - 1) + 1/1000).
   { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))) B. rewrite Rabs_Ropp. intros. by_sides. }
-  assert (E1 := both_error a a (b + w) wh _ _ _ S (no_error a) M).
+  pose proof both_error a a (b + w) wh _ _ _ S (no_error a) M as E1.
   assert (S' : Rabs (a + (b + w) + 1) <= v + 1/1000).
-  { assert (Y := B). by_sides. }
-  assert (E2 := sum_error (a + (b + w)) _ 1 _ _ S' E1). set (near := rounded (_ + 1)) in *. clearbody near.
+  { pose proof B as Y. by_sides. }
+  pose proof sum_error (a + (b + w)) _ 1 _ _ S' E1 as E2. set (near := rounded (_ + 1)) in *. clearbody near.
   both_ways X. both_ways E2. assert (P : Rabs (v - 1) <= 1) by (apply Rabs_le; lra). apply Rabs_le. lra.
 Qed.
 End polynomial.
 
-Lemma exponential_near_float64 (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
-  let r := p + e - IZR (Znearest (fun n => negb (Z.even n)) (rounded (3248660424278399 / 2251799813685248 * p))) * ln 2 in
-  Rabs (exponential_of_sum_float64.exponential_near p e - exp r) <= 11/5 * (1 / 2 ^ 53) * exp r /\ 1/2 <= exponential_of_sum_float64.exponential_near p e.
+Lemma exponential_near_float64 p e : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 -> let r := p + e - IZR (Znearest (fun n => negb
+  (Z.even n)) (rounded (3248660424278399 / 2251799813685248 * p))) * ln 2 in Rabs (exponential_of_sum_float64.exponential_near p e - exp r) <=
+  11/5 * (1 / 2 ^ 53) * exp r /\ 1/2 <= exponential_of_sum_float64.exponential_near p e.
 Proof.
-  intros F B E r. destruct (away_near p e F B E) as (A & C & D). fold r in D. both_ways A. assert (N := near_rounded p e A C). cbv zeta in N.
+  intros F B E r. destruct (away_near p e F B E) as (A & C & D). fold r in D. both_ways A. pose proof near_rounded p e A C as N. cbv zeta in N.
   set (a := exponential_of_sum_float64.away p e) in *. set (b := exponential_of_sum_float64.away_error p e) in *. set (near :=
     exponential_of_sum_float64.exponential_near p e) in *.
-  assert (V := near_one _ A).
+  pose proof near_one _ A as V.
   assert (G : forall t, Rabs t <= 36/100 / 2 ^ 53 -> Rabs (exp t - 1 - t) <= 1 / 2 ^ 100).
   { intros t T. both_ways T. interval with (i_taylor t, i_degree 4, i_prec 200). }
   assert (Q : Rabs (r - a) <= 36/100 / 2 ^ 53).
-  { replace (r - a) with (b - (a + b - r)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. lra. }
+  { replace (r - a) with (b - (a + b - r)) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
   generalize (G _ Q). clear G. replace (exp r) with (exp a * exp (r - a)) by (rewrite <- exp_plus; f_equal; ring). set (t := exp (r - a) - 1 - (r - a)).
   replace (exp (r - a)) with (1 + b - (a + b - r) + t) by (unfold t; ring). intro T. clearbody t near a b r. set (v := exp a) in *. clearbody v. set
     (h := a + b - r) in *. clearbody h.
@@ -161,12 +166,13 @@ Proof.
   { intros x m y K O. both_ways K. split; nra. }
   generalize (I h _ v D ltac:(lra)) (I t _ v T ltac:(lra)) (I b _ v C ltac:(lra)) (I b _ (Rabs (v - 1)) C (Rabs_pos _)). clear I. intros Ih It Ib Ibd.
     both_ways N.
-  destruct (Rle_lt_dec 1 v) as [O|O]; [rewrite (Rabs_pos_eq (v - 1)) in * by lra | rewrite (Rabs_left (v - 1)) in * by lra]; (split; [apply Rabs_le|]; lra).
+  destruct (Rle_lt_dec 1 v) as [O|O]; [rewrite (Rabs_pos_eq (v - 1)) in * by lra | rewrite (Rabs_left (v - 1)) in * by lra]; (split; [apply
+    Rabs_le|]; lra).
 Qed.
 
 (* The exponential of a float64 and a correction is within 11/5 2^-53 of the exponential of their sum, relative to that, where it is neither 0 nor infinite. *)
-Theorem elementary_functions__exp (p e : R) : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
-  Rabs (exponential_of_sum_float64.exponential p e - exp (p + e)) <= 11/5 * (1 / 2 ^ 53) * exp (p + e).
+Theorem elementary_functions__exp p e : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 -> Rabs (exponential_of_sum_float64.exponential p e
+  - exp (p + e)) <= 11/5 * (1 / 2 ^ 53) * exp (p + e).
 Proof.
   intros F B E. destruct (exponential_near_float64 p e F B E) as [N H]. set (n := Znearest _ _) in N. set (near :=
     exponential_of_sum_float64.exponential_near p e) in *.
@@ -179,9 +185,9 @@ Proof.
   rewrite X, Y, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- Rmult_assoc by apply bpow_ge_0. apply Rmult_le_compat_r; [apply
     bpow_ge_0 | exact N].
 Qed.
-Theorem elementary_functions__exponential__point : exists r : R, - (3467/10000) <= r <= 3467/10000.
+Theorem elementary_functions__exponential__point : exists r, - (3467/10000) <= r <= 3467/10000.
 Proof. exists 0. lra. Qed.
-Theorem elementary_functions__exp__point : exists p e : R, float64 p /\ -708 <= p <= 709 /\ Rabs e <= 1 / 2 ^ 42.
+Theorem elementary_functions__exp__point : exists p e, float64 p /\ -708 <= p <= 709 /\ Rabs e <= 1 / 2 ^ 42.
 Proof. exists 0, 0. rewrite Rabs_R0. split; [apply generic_format_0 | lra]. Qed.
 (* Over a whole unit the polynomial is not so near, and without its correction the argument's exponential is not. *)
 Theorem elementary_functions__exponential__false : ~ forall r, -1 <= r <= 1 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.

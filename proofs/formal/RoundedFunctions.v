@@ -1,37 +1,36 @@
 (* The kernels' functions of one float64, as they are carried out: sine and cosine of half-turns. *)
 
-From Coq Require Import Reals Lra Lia ZArith.
+From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding RoundedGradient.
+From Formal Require Import Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient.
 Open Scope R_scope.
 
 (* Sine and cosine of any float64. *)
-Lemma remainder_of_float64 (x : R) : float64 x -> sine_of_half_turns_float64.remainder x 0 = x - IZR (quarters x) / 2 /\ - (1/4) <= x - IZR (quarters
-  x) / 2 <= 1/4.
+Lemma remainder_of_float64 x : float64 x -> sine_of_half_turns_float64.remainder x 0 = x - IZR (quarters x) / 2 /\ - (1/4) <= x - IZR (quarters x)
+  / 2 <= 1/4.
 Proof.
   intro F. split; [|apply Rabs_le_between, near_quarters]. rewrite (remainder_printed _ _ F), Rplus_0_r. exact (kept _ (remainder_is_float64 _ F)).
 Qed.
-Lemma sine_of_float64 (x : R) : float64 x -> let s := half_turn_polynomials_float64.sine_near (x - IZR (quarters x) / 2) in let c :=
-  half_turn_polynomials_float64.cosine_near (x - IZR (quarters x) / 2) in
-  sine_of_half_turns_float64.sine x 0 = sine_in (quarters x) s c /\
+Lemma sine_of_float64 x : float64 x -> let s := half_turn_polynomials_float64.sine_near (x - IZR (quarters x) / 2) in let c :=
+  half_turn_polynomials_float64.cosine_near (x - IZR (quarters x) / 2) in sine_of_half_turns_float64.sine x 0 = sine_in (quarters x) s c /\
   cosine_of_half_turns_float64.cosine x 0 = cosine_in (quarters x) s c.
 Proof. intro F. rewrite <- (proj1 (remainder_of_float64 x F)). exact (sine_printed x 0 F). Qed.
 
 (* Sine and cosine of half-turns of any float64 are within 5/2 2^-53 of the sine and the cosine, *)
-Theorem elementary_functions__half_turns (x : R) : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\
-  Rabs (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
+Theorem elementary_functions__half_turns x : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\ Rabs
+  (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
 Proof.
-  intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. assert (B := proj2 (remainder_of_float64 x F)). fold q in B |- *. set (r
+  intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. pose proof proj2 (remainder_of_float64 x F) as B. fold q in B |- *. set (r
     := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
-  assert (C := elementary_functions__cosine_float64 r N). assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2
+  pose proof elementary_functions__cosine_float64 r N as C. assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2
     ^ 53)) by (generalize (elementary_functions__sine_float64 r N); lra).
   replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->].
   apply (in_each_quadrant (fun x y => Rabs (x - y) <= 5/2 * (1 / 2 ^ 53))); [exact S | exact C | intros; apply of_opposites; assumption].
 Qed.
 (* and at every whole number of quarters of a turn they are exact. *)
-Theorem elementary_functions__quarters (x : R) (m : Z) : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\
+Theorem elementary_functions__quarters x m : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\
   cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
 Proof.
   intros F H. set (q := quarters x). assert (Q : q = m) by (unfold q, quarters; rewrite H; apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n))))).
@@ -41,9 +40,9 @@ Proof.
 Qed.
 Lemma half_is_float64 : float64 (1/2).
 Proof. replace (1/2) with (IZR 1 * bpow radix2 (-1)) by (simpl; lra). apply whole_is_float64; easy. Qed.
-Theorem elementary_functions__half_turns__point : exists x : R, float64 x.
+Theorem elementary_functions__half_turns__point : exists x, float64 x.
 Proof. exists 0. apply generic_format_0. Qed.
-Theorem elementary_functions__quarters__point : exists (x : R) (m : Z), float64 x /\ 2 * x = IZR m.
+Theorem elementary_functions__quarters__point : exists x m, float64 x /\ 2 * x = IZR m.
 Proof. exists (1/2), 1%Z. split; [apply half_is_float64 | lra]. Qed.
 (* They are not those of the number itself, and not each other. *)
 Theorem elementary_functions__half_turns__false : ~ forall x, float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin x) <= 5/2 * (1 / 2 ^ 53).
@@ -51,8 +50,9 @@ Proof.
   intro H. generalize (H _ half_is_float64) (proj1 (elementary_functions__half_turns _ half_is_float64)). intros X Y.
   both_ways X. both_ways Y. assert (sin (1/2) < sin (PI * (1/2)) - 6 * (1 / 2 ^ 53)) by interval. lra.
 Qed.
-Theorem elementary_functions__quarters__false : ~ forall (x : R) (m : Z), float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = cos (PI * x).
+Theorem elementary_functions__quarters__false : ~ forall x m, float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = cos (PI * x).
 Proof.
-  intro H. destruct (elementary_functions__quarters 0 0 (generic_format_0 _ _) ltac:(lra)) as [S _]. specialize (H 0 0%Z (generic_format_0 _ _) ltac:(lra)).
+  intro H. destruct (elementary_functions__quarters 0 0 (generic_format_0 _ _) ltac:(lra)) as [S _]. specialize (H 0 0%Z (generic_format_0 _ _)
+    ltac:(lra)).
   rewrite S, Rmult_0_r, sin_0, cos_0 in H. lra.
 Qed.

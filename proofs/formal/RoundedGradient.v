@@ -4,26 +4,25 @@ From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Plus_error Mult_error.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns RoundedHalfTurns Rounding.
-From Formal Require Statements.
+From Formal Require Import Formulas Float Float64 Clamped RoundedHalfTurns Rounding.
 Open Scope R_scope.
 
-Lemma twice_float64 (x : R) : float64 x -> float64 (2 * x).
+Lemma twice_float64 x : float64 x -> float64 (2 * x).
 Proof. intro F. rewrite Rmult_comm. apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 x 1); [exact F | easy]. Qed.
-Lemma four_quadrants (q : Z) : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z.
+Lemma four_quadrants q : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z.
 Proof. generalize (Z.mod_pos_bound q 4 ltac:(easy)). lia. Qed.
 (* The sine and the cosine after q quarters of a turn, from those before. *)
-Definition sine_in (q : Z) (s c : R) : R := match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end.
-Definition cosine_in (q : Z) (s c : R) : R := match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
+Definition sine_in (q : Z) (s c : R) := match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end.
+Definition cosine_in (q : Z) (s c : R) := match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
 Ltac each_quadrant q := unfold sine_in, cosine_in; destruct (four_quadrants q) as [K|[K|[K|K]]]; rewrite K.
 (* The number of quarters of a turn, and what remains of a float64 product: both are exact. *)
 Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
-Lemma near_quarters (p : R) : Rabs (p - IZR (quarters p) / 2) <= 1/4.
+Lemma near_quarters p : Rabs (p - IZR (quarters p) / 2) <= 1/4.
 Proof.
   generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). intro H.
   both_ways H. apply Rabs_le. lra.
 Qed.
-Lemma remainder_is_float64 (p : R) : float64 p -> float64 (p - IZR (quarters p) / 2).
+Lemma remainder_is_float64 p : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
   intro F. generalize (what_is_left_is_float64 p (/ 2) F (generic_format_bpow radix2 (FLT_exp (-1074) 53) (-1) ltac:(easy))). replace (p / / 2) with
     (2 * p) by field. trivial.
@@ -35,7 +34,7 @@ Hypothesis F : float64 p.
 Let q := quarters p.
 Lemma quarters_printed : sine_of_half_turns_float64.quarters p = IZR q.
 Proof. unfold sine_of_half_turns_float64.quarters. rewrite (kept _ (twice_float64 _ F)). reflexivity. Qed.
-Lemma part_of_quarters (f : R) (j : Z) : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
+Lemma part_of_quarters f j : f = bpow radix2 j -> (-2 <= j)%Z -> rounded (f * IZR q) = f * IZR q.
 Proof.
   intros -> J. apply kept. rewrite Rmult_comm. destruct (Z.eq_dec q 0) as [Z|N]; [rewrite Z, Rmult_0_l; apply generic_format_0|]. apply
     mult_bpow_exact_FLT; [exact (whole_part_is_float64 _ _ (valid_rnd_N _) (twice_float64 _ F))|].
@@ -53,8 +52,8 @@ Proof.
   unfold sine_of_half_turns_float64.quadrant, whole_below. rewrite quarters_printed, (part_of_quarters _ (-2)) by (simpl; lra || lia).
   assert (W : float64 (IZR (Zfloor (1 / 4 * IZR q)))) by (apply whole_part_is_float64; [typeclasses eauto | rewrite <- (part_of_quarters _ (-2)) by
     (simpl; lra || lia); apply rounded_is_float64]).
-  replace (1 / 4 * IZR q) with (IZR q / IZR 4) in * by (simpl; field). rewrite Zfloor_div in * by easy. assert (D := Z.div_mod q 4 ltac:(easy)).
-    assert (M := Z.mod_pos_bound q 4 ltac:(easy)).
+  replace (1 / 4 * IZR q) with (IZR q / IZR 4) in * by (simpl; field). rewrite Zfloor_div in * by easy. pose proof Z.div_mod q 4 ltac:(easy) as D.
+    pose proof Z.mod_pos_bound q 4 ltac:(easy) as M.
   rewrite Rmult_comm, (kept (_ * 4)) by (apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 _ 2); [exact W | easy]).
   replace (IZR q - IZR (q / 4) * 4) with (IZR (q mod 4)) by (rewrite D at 2; rewrite plus_IZR, mult_IZR; ring).
   apply kept. rewrite <- (Rmult_1_r (IZR _)). apply (whole_is_float64 _ 0); lia.
@@ -67,20 +66,19 @@ Proof.
   intros r s c. unfold sine_of_half_turns_float64.sine, cosine_of_half_turns_float64.cosine.
   change (cosine_of_half_turns_float64.quadrant p) with (sine_of_half_turns_float64.quadrant p).
 
-
   rewrite quadrant_printed. each_quadrant q; repeat destruct Rlt_dec; (split; reflexivity) || lra.
 Qed.
 End reduction.
 
-Lemma turn (r : R) (n : Z) : sin (PI * r + IZR (2 * n) * PI) = sin (PI * r) /\ cos (PI * r + IZR (2 * n) * PI) = cos (PI * r).
+Lemma turn r n : sin (PI * r + IZR (2 * n) * PI) = sin (PI * r) /\ cos (PI * r + IZR (2 * n) * PI) = cos (PI * r).
 Proof.
   assert (Z : sin (IZR n * PI) = 0) by (apply sin_eq_0_1; exists n; reflexivity). rewrite mult_IZR, Rmult_assoc, sin_plus, cos_plus, sin_2a,
     cos_2a_sin, Z. split; ring.
 Qed.
-Lemma by_quadrant (w : R) (q : Z) : let s := sin (PI * w) in let c := cos (PI * w) in
-  sin (PI * (w + IZR q / 2)) = sine_in q s c /\ cos (PI * (w + IZR q / 2)) = cosine_in q s c.
+Lemma by_quadrant w q : let s := sin (PI * w) in let c := cos (PI * w) in sin (PI * (w + IZR q / 2)) = sine_in q s c /\ cos (PI * (w + IZR q / 2))
+  = cosine_in q s c.
 Proof.
-  intros s c. assert (D := Z.div_mod q 4 ltac:(easy)). destruct (turn w (q / 4)) as [S C].
+  intros s c. pose proof Z.div_mod q 4 ltac:(easy) as D. destruct (turn w (q / 4)) as [S C].
   replace (PI * (w + IZR q / 2)) with (PI * w + IZR (2 * (q / 4)) * PI + IZR (q mod 4) * (PI / 2)) by (rewrite D at 3; rewrite plus_IZR, !mult_IZR;
     field). rewrite (sin_plus (_ + _)), (cos_plus (_ + _)), S, C. fold s c.
   each_quadrant q;
@@ -95,19 +93,19 @@ Proof.
   apply (round_N_pt radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) PI). exact F.
 Qed.
 
-Lemma same_sign (x y : R) : (0 < x -> 0 < y) -> (x < 0 -> y < 0) -> (x = 0 -> y = 0) -> sign y = sign x.
+Lemma same_sign x y : (0 < x -> 0 < y) -> (x < 0 -> y < 0) -> (x = 0 -> y = 0) -> sign y = sign x.
 Proof. intros P N Z. destruct (Rtotal_order x 0) as [L|[L|L]]; [rewrite !sign_eq_m1 | rewrite Z, L | rewrite !sign_eq_1]; auto. Qed.
-Lemma of_opposites (x y m : R) : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
+Lemma of_opposites x y m : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
 Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 (* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
-Lemma in_each_quadrant (F : R -> R -> Prop) (q : Z) (s c s' c' : R) : F s s' -> F c c' -> (forall x y, F x y -> F (- x) (- y)) ->
-  F (sine_in q s c) (sine_in q s' c') /\ F (cosine_in q s c) (cosine_in q s' c').
+Lemma in_each_quadrant (F : R -> R -> Prop) q s c s' c' : F s s' -> F c c' -> (forall x y, F x y -> F (- x) (- y)) -> F (sine_in q s c) (sine_in q
+  s' c') /\ F
+  (cosine_in q s c) (cosine_in q s' c').
 Proof.
   intros S C N. each_quadrant q; split; try apply N; assumption.
 Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
-Lemma half_turns_apart (f g : R -> R) (x y : R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <=
-  PI * Rabs (x - y).
+Lemma half_turns_apart f g (x y : R) : derives_to f g -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <= PI * Rabs (x - y).
 Proof. intros D G. rewrite <- (Rabs_pos_eq PI) at 3 by (generalize PI_RGT_0; lra). rewrite <- Rabs_mult, Rmult_minus_distr_l, <- Rmult_1_l. exact
   (moved_by_at_most f g 1 _ _ D G). Qed.
 Section product.
@@ -139,13 +137,14 @@ Proof.
 Qed.
 Lemma remainder_error : Rabs (r - w) <= 251/1000 / 2 ^ 53 /\ - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Proof.
-  destruct remainder_near as [R W]. assert (E : Rabs (r - w) <= 251/1000 / 2 ^ 53) by (rewrite R; eapply Rle_trans; [exact (rounded_error _ _ W) | interval]).
-  split; [exact E|]. apply Rabs_le_between. replace r with (w + (r - w)) by ring. eapply Rle_trans; [apply Rabs_triang|].
+  destruct remainder_near as [R W]. assert (E : Rabs (r - w) <= 251/1000 / 2 ^ 53) by (rewrite R; eapply Rle_trans; [exact (rounded_error _ _ W) |
+    interval]).
+  split; [exact E|]. apply Rabs_le_between. replace r with (w + (r - w)) by ring. at_most_by Rabs_triang.
   eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ W E) | interval].
 Qed.
-Lemma turned (f g : R -> R) : (forall x, is_derive f x (g x)) -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * r) - f (PI * w)) <= 789/1000 / 2 ^ 53.
+Lemma turned f g : derives_to f g -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * r) - f (PI * w)) <= 789/1000 / 2 ^ 53.
 Proof.
-  intros D G. eapply Rle_trans; [exact (half_turns_apart f g r w D G)|]. apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l;
+  intros D G. at_most_by (half_turns_apart f g r w D G). apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l;
     [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
 Qed.
 Lemma polynomials_near : Rabs (s - sin (PI * w)) <= 3289/1000 / 2 ^ 53 /\ Rabs (c - cos (PI * w)) <= 3289/1000 / 2 ^ 53.
@@ -159,7 +158,8 @@ Qed.
 Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine
   p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
 Proof.
-  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p)) as [-> ->].
+  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p))
+    as [-> ->].
   destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => Rabs (x - y) <= 3289/1000 / 2 ^ 53)); [exact S |
     exact C | intros; apply of_opposites; assumption].
 Qed.
@@ -169,7 +169,7 @@ Proof.
   destruct remainder_near as [-> _]. assert (N : w <> 0 -> rounded w <> 0).
   { replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring). apply round_plus_neq_0; try typeclasses eauto; [apply
     remainder_is_float64, product_is_float64 | apply rounded_is_float64]. }
-  apply same_sign; intro S; [assert (Q := not_negative_rounded w ltac:(lra)) | assert (Q := not_negative_rounded (- w) ltac:(lra)); rewrite
+  apply same_sign; intro S; [pose proof not_negative_rounded w ltac:(lra) as Q | pose proof not_negative_rounded (- w) ltac:(lra) as Q; rewrite
     rounded_opp in Q | rewrite S; apply rounded_0]; apply Rnot_le_lt; intro; apply N; lra.
 Qed.
 Lemma sign_of_sine : sign s = sign (sin (PI * w)).
@@ -197,46 +197,44 @@ Proof.
 Qed.
 End product.
 
-Definition carried (a b : R) : Prop := float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
-Lemma factors_near (a b : R) : carried a b ->
-  let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in
-  Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI *
-    (a * b))) <= 3289/1000 / 2 ^ 53 /\
-  sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
+Definition carried (a b : R) := float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
+Lemma factors_near a b : carried a b -> let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in Rabs
+  (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a
+  * b))) <= 3289/1000 / 2 ^ 53 /\ sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
 Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (side a b A B U L))). Qed.
 
-Lemma slope_near (k c s ch sh : R) : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 ->
-  Rabs (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
+Lemma slope_near k c s ch sh : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 -> Rabs
+  (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
 Proof.
   intros C S Ec Es. set (K := Rmax 1 (Rabs k)). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k <= K) by apply Rmax_r.
   assert (P : Rabs PI <= 3141593/1000000) by interval.
   generalize (times_error _ _ _ _ _ _ _ _ P C rounded_pi Ec). intro E1.
   assert (B1 : Rabs (PI * c) <= 3141593/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
   generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k)). intro E2.
-  assert (B2 : Rabs (PI * c * k) <= 3141593/1000000 * K) by (rewrite Rabs_mult; apply Rmult_le_compat; try apply Rabs_pos; assumption).
-  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. eapply Rle_trans; [exact E3|].
+  assert (B2 : Rabs (PI * c * k) <= 3141593/1000000 * K) by (rewrite Rabs_mult; factors; assumption).
+  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. at_most_by E3.
   assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
 Qed.
-Lemma slopes_of_sine (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
-  Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
-  Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_v)).
+Lemma slopes_of_sine u v k_u k_v : carried k_u u -> carried k_v v -> Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v)
+  <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\ Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI *
+  Rmax 1 (Rabs k_v)).
 Proof.
   intros U V. destruct (factors_near _ _ U) as (? & ? & _). destruct (factors_near _ _ V) as (? & ? & _).
   split; apply slope_near; try assumption; apply Rabs_le; (apply SIN_bound || apply COS_bound).
 Qed.
-Lemma times_sign (x s t : R) : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
+Lemma times_sign x s t : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
 Proof.
   intro F. rewrite <- sign_mult. assert (O := rounded_opp 1 : rounded (-1) = - rounded 1). unfold sign. destruct total_order_T as [[|]|]; rewrite ?O,
     ?rounded_1, ?rounded_0, ?Rmult_0_r, ?Rmult_1_r; [apply kept, F | apply rounded_0|].
   replace (x * - (1)) with (- x) by ring. rewrite rounded_opp, (kept x F). ring.
 Qed.
-Lemma beside_a_sign (x y m s : R) : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
+Lemma beside_a_sign x y m s : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
 Proof. intros D M. both_ways D. unfold sign. destruct total_order_T as [[|]|]; apply Rabs_le; lra. Qed.
-Lemma not_negative (k : R) : 0 <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
+Lemma not_negative k : 0 <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
 Proof. assert (1 <= Rmax 1 (Rabs k)) by apply Rmax_l. generalize PI_RGT_0. nra. Qed.
-Lemma slopes_of_ridges (u v k_u k_v : R) : carried k_u u -> carried k_v v ->
-  Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\
-  Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_v)).
+Lemma slopes_of_ridges u v k_u k_v : carried k_u u -> carried k_v v -> Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u
+  k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\ Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 2 ^
+  53 * (PI * Rmax 1 (Rabs k_v)).
 Proof.
   intros U V. destruct (slopes_of_sine u v k_u k_v U V) as [Hu Hv]. destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_
     & _ & Sv).
@@ -248,32 +246,33 @@ Proof.
     (two_product_float64.product_error k_v v))).
   rewrite Su, Sv. gradient_ridges.lines. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
 Qed.
-Lemma slope_of_rings (v k_v : R) : carried (2 * k_v) v -> float64 k_v ->
-  Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs (2 * k_v))).
+Lemma slope_of_rings v k_v : carried (2 * k_v) v -> float64 k_v -> Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^
+  53 * (PI * Rmax 1 (Rabs (2 * k_v))).
 Proof.
   intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines.
   rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
   set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
-  { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult. apply Rmax_r. }
+  { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult.
+    apply Rmax_r. }
   gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
   assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
   assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq
     2) by lra; lra).
   generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
   assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
-  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. eapply Rle_trans; [exact E2|].
+  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. at_most_by E2.
   assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
 Qed.
 
 (* The printed claims: what is carried out exactly, and where nothing underflows. *)
-Lemma not_tiny (w : R) : 10 ^ 285 * Rabs w >= 1 \/ w = 0 -> w = 0 \/ bpow radix2 (-969) <= Rabs w.
+Lemma not_tiny w : 10 ^ 285 * Rabs w >= 1 \/ w = 0 -> w = 0 \/ bpow radix2 (-969) <= Rabs w.
 Proof.
   intros [U|U]; [right | left; exact U]. apply Rmult_le_reg_r with (10 ^ 285); [apply pow_lt; lra|]. apply Rle_trans with 1; [|lra].
   change (bpow radix2 (-969)) with (/ IZR (Z.pow_pos 2 969)). rewrite <- (Rinv_l (IZR (Z.pow_pos 2 969))) by (apply not_0_IZR; easy).
   apply Rmult_le_compat_l; [left; apply Rinv_0_lt_compat, IZR_lt; easy|]. rewrite pow_IZR. apply IZR_le. apply Z.leb_le. vm_compute. reflexivity.
 Qed.
-Lemma carried_on_the_chart (k x : R) : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0)
-  -> carried k x.
+Lemma carried_on_the_chart k x : float64 x -> float64 k -> x >= 0 -> x <= 1 -> Rabs k <= 2 ^ 21 -> (10 ^ 285 * Rabs (k * x) >= 1 \/ k * x = 0) ->
+  carried k x.
 Proof.
   intros X K L H B U. repeat split; [exact K | exact X | apply not_tiny, U|]. rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
 Qed.
@@ -289,7 +288,7 @@ Proof.
 Qed.
 Theorem gradient_accuracy__rings : Statements.gradient_accuracy__rings.
 Proof.
-  red. intros v k_v V K L H B U. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite Rmult_assoc.
+  intros v k_v V K L H B U. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite Rmult_assoc.
   apply slope_of_rings; [|exact K]. apply carried_on_the_chart; try assumption.
   - apply twice_float64, K.
   - rewrite Rabs_mult, (Rabs_pos_eq 2) by lra. lra.

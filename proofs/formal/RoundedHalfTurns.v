@@ -4,53 +4,57 @@ From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Relative.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 HalfTurns.
+From Formal Require Import Formulas Float Float64 HalfTurns.
 Open Scope R_scope.
 
 (* What a size says, both ways. *)
 Ltac both_ways H := apply Rabs_le_between in H.
+(* x <= z by x <= y, which t says; a product by its factors. *)
+Ltac at_most_by t := eapply Rle_trans; [apply t|].
+Ltac factors := apply Rmult_le_compat; try apply Rabs_pos.
 Ltac by_sides := repeat match goal with B : Rabs _ <= _ |- _ => both_ways B end; try apply Rabs_le; lra.
-Lemma through (a b c x y : R) : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
-Proof. intros A B. replace (a - c) with ((a - b) + (b - c)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
-Lemma size (a ah A e : R) : Rabs a <= A -> Rabs (ah - a) <= e -> Rabs ah <= A + e.
-Proof. intros S E. replace ah with (a + (ah - a)) by ring. eapply Rle_trans; [apply Rabs_triang | lra]. Qed.
+Lemma through a b c x y : Rabs (a - b) <= x -> Rabs (b - c) <= y -> Rabs (a - c) <= x + y.
+Proof. intros A B. replace (a - c) with ((a - b) + (b - c)) by ring. at_most_by Rabs_triang; lra. Qed.
+Lemma size a ah A e : Rabs a <= A -> Rabs (ah - a) <= e -> Rabs ah <= A + e.
+Proof. intros S E. replace ah with (a + (ah - a)) by ring. at_most_by Rabs_triang; lra. Qed.
 
 (* One rounding: a factor, or below the normal range less than 2^-1074. *)
-Lemma rounding (x : R) : exists d t, Rabs d <= / 2 ^ 53 /\ Rabs t <= bpow radix2 (-1074) /\ d * t = 0 /\ rounded x = x * (1 + d) + t.
+Lemma rounding x : exists d t, Rabs d <= / 2 ^ 53 /\ Rabs t <= bpow radix2 (-1074) /\ d * t = 0 /\ rounded x = x * (1 + d) + t.
 Proof.
-  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & Z & E). exists d, t. split; [eapply Rle_trans;
-    [exact D | unfold u_ro; simpl; lra]|].
-  split; [eapply Rle_trans; [exact T | generalize (bpow_gt_0 radix2 (-1074)); lra] | split; [exact Z | exact E]].
+  destruct (error_N_FLT radix2 (-1074) 53 ltac:(easy) (fun n => negb (Z.even n)) x) as (d & t & D & T & Z & E). exists d, t. split; [at_most_by D;
+    unfold u_ro; simpl; lra|].
+  split; [at_most_by T; generalize (bpow_gt_0 radix2 (-1074)); lra | split; [exact Z | exact E]].
 Qed.
-Lemma one_rounding (x : R) : Rabs (rounded x - x) <= / 2 ^ 53 * Rabs x + bpow radix2 (-1074).
+Lemma one_rounding x : Rabs (rounded x - x) <= / 2 ^ 53 * Rabs x + bpow radix2 (-1074).
 Proof.
-  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. eapply Rle_trans; [apply Rabs_triang|].
+  destruct (rounding x) as (d & e & D & E & _ & ->). replace (x * (1 + d) + e - x) with (d * x + e) by ring. at_most_by Rabs_triang.
     rewrite Rabs_mult.
   apply Rplus_le_compat; [apply Rmult_le_compat_r; [apply Rabs_pos | exact D] | exact E].
 Qed.
 (* What underflows is off by far less than 2^-100. *)
 Lemma underflow_is_less : 0 <= bpow radix2 (-1074) <= 1 / 2 ^ 100.
 Proof. split; [apply bpow_ge_0|]. replace (1 / 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). apply bpow_le. easy. Qed.
-Lemma rounded_error (x X : R) : Rabs x <= X -> Rabs (rounded x - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
+Lemma rounded_error x X : Rabs x <= X -> Rabs (rounded x - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
   intro B. generalize (one_rounding x) underflow_is_less. lra.
 Qed.
-Lemma sum_error (a ah c S e : R) : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah + c) - (a + c)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
+Lemma sum_error a ah c S e : Rabs (a + c) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah + c) - (a + c)) <= (S + e) / 2 ^ 53 + 1 / 2 ^ 100 + e.
 Proof.
-  intros B A. replace (ah - a) with (ah + c - (a + c)) in A by ring. apply through with (ah + c); [|exact A]. exact (rounded_error _ _ (size _ _ _ _ B A)).
+  intros B A. replace (ah - a) with (ah + c - (a + c)) in A by ring. apply through with (ah + c); [|exact A]. exact (rounded_error _ _ (size _ _ _
+    _ B A)).
 Qed.
-Lemma minus_error (a ah c d S e : R) : c = - d -> Rabs (a + d) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah - c) - (a + d)) <= (S + e) / 2 ^ 53 + 1
-  / 2 ^ 100 + e.
+Lemma minus_error a ah c d S e : c = - d -> Rabs (a + d) <= S -> Rabs (ah - a) <= e -> Rabs (rounded (ah - c) - (a + d)) <= (S + e) / 2 ^ 53 + 1 /
+  2 ^ 100 + e.
 Proof. intros ->. replace (ah - - d) with (ah + d) by ring. apply sum_error. Qed.
-Lemma times_error (z zh a ah Z A ez ea : R) : Rabs z <= Z -> Rabs a <= A -> Rabs (zh - z) <= ez -> Rabs (ah - a) <= ea ->
-  Rabs (rounded (zh * ah) - z * a) <= (Z + ez) * (A + ea) / 2 ^ 53 + 1 / 2 ^ 100 + (ez * (A + ea) + Z * ea).
+Lemma times_error z zh a ah Z A ez ea : Rabs z <= Z -> Rabs a <= A -> Rabs (zh - z) <= ez -> Rabs (ah - a) <= ea -> Rabs (rounded (zh * ah) - z *
+  a) <= (Z + ez) * (A + ea) / 2 ^ 53 + 1 / 2 ^ 100 + (ez * (A + ea) + Z * ea).
 Proof.
   intros Bz Ba Ez Ea. generalize (size _ _ _ _ Bz Ez) (size _ _ _ _ Ba Ea). intros Sz Sa. apply through with (zh * ah).
-  - apply rounded_error. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption.
-  - replace (_ - _) with ((zh - z) * ah + z * (ah - a)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult.
-    apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; assumption.
+  - apply rounded_error. rewrite Rabs_mult. factors; assumption.
+  - replace (_ - _) with ((zh - z) * ah + z * (ah - a)) by ring. at_most_by Rabs_triang. rewrite !Rabs_mult.
+    apply Rplus_le_compat; factors; assumption.
 Qed.
-Lemma no_error (a : R) : Rabs (a - a) <= 0.
+Lemma no_error a : Rabs (a - a) <= 0.
 Proof. rewrite Rminus_diag_eq, Rabs_R0; lra. Qed.
 
 (* Bounds that are not given are found: of a number by interval arithmetic, of an error operation by operation. *)
@@ -114,10 +118,7 @@ Proof.
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials_float64.cosine_near, half_turn_polynomials_float64.z.
   rewrite !Rmult_0_l, !rounded_0, !Rmult_0_l, !rounded_0, Rplus_0_l. split; [reflexivity | exact rounded_1].
 Qed.
-Theorem elementary_functions__cosine_float64__point : exists r : R, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
-Proof. exists 0. lra. Qed.
-Theorem elementary_functions__sine_float64__point : exists r : R, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
-Proof. exists 0. lra. Qed.
+
 (* They are not so near 1 and 0. *)
 Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs
   (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).

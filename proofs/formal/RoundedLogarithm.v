@@ -8,7 +8,8 @@ From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns
 Open Scope R_scope.
 
 (* Twice the quotient and the series are within 13/1000 2^-53 of its logarithm, relative to the quotient. *)
-Lemma series_relative (q : R) : Rabs q <= 589/10000 -> Rabs (2 * q + logarithm_polynomial.log_tail q - (ln (1 + q) - ln (1 - q))) <= 13/1000 / 2 ^ 53 * Rabs q.
+Lemma series_relative q : Rabs q <= 589/10000 -> Rabs (2 * q + logarithm_polynomial.log_tail q - (ln (1 + q) - ln (1 - q))) <= 13/1000 / 2 ^ 53 *
+  Rabs q.
 Proof.
   intro B. set (g := fun t => 2 * t + logarithm_polynomial.log_tail t - (ln (1 + t) - ln (1 - t))). change (Rabs (g q) <= 13/1000 / 2 ^ 53 * Rabs q).
     destruct (Rle_lt_dec (3/64) (Rabs q)) as [L|L].
@@ -22,43 +23,42 @@ Proof.
 Qed.
 
 (* A rounding to so many digits, relative to a number that is not negligible. *)
-Definition negligible : R := bpow radix2 (-900).
-Lemma relative (digits : Z) (b x y : R) : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) (Znearest (fun n => negb
-  (Z.even n))) x ->
-  exists d t, Rabs d <= bpow radix2 (- digits) /\ Rabs t <= / 2 ^ 100 /\ y = x * (1 + d) + b * t.
+Definition negligible := bpow radix2 (-900).
+Lemma relative digits b x y : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) (Znearest (fun n => negb (Z.even n)))
+  x -> exists d t, Rabs d <= bpow radix2 (- digits) /\ Rabs t <= / 2 ^ 100 /\ y = x * (1 + d) + b * t.
 Proof.
-  intros P B ->. assert (B0 := bpow_gt_0 radix2 (-900)). fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even
+  intros P B ->. pose proof bpow_gt_0 radix2 (-900) as B0. fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even
     n)) x) as (d & t & D & T & _ & E). exists d, (t / b). split; [|split].
-  - eapply Rle_trans; [exact D|]. unfold u_ro. rewrite bpow_plus. change (bpow radix2 1) with 2. lra.
+  - at_most_by D. unfold u_ro. rewrite bpow_plus. change (bpow radix2 1) with 2. lra.
   - apply Rmult_le_reg_r with b; [lra|]. rewrite <- (Rabs_pos_eq b) at 2 by lra. rewrite <- Rabs_mult. replace (t / b * b) with t by (field; lra).
-    eapply Rle_trans; [exact T|].
+    at_most_by T.
     apply Rle_trans with (/ 2 ^ 100 * negligible); [|apply Rmult_le_compat_l; lra]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra).
       unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
   - rewrite E. field. lra.
 Qed.
-Lemma bounded_product (a b A B : R) : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
-Proof. intros. rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; assumption. Qed.
+Lemma bounded_product a b A B : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
+Proof. intros. rewrite Rabs_mult. factors; assumption. Qed.
 (* A sum of two needs no such number. *)
-Lemma sum_within (f g X : R) : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
+Lemma sum_within f g X : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
 Proof.
   intros F G B. destruct (rounded_sum f g F G) as (u & U & ->). replace (_ * _ - _) with (u * (f + g)) by ring. apply bounded_product; assumption.
 Qed.
 (* The sum of two roundings, named s, whose size is at most X. *)
 Ltac float_is := first [apply rounded_is_float64 | apply generic_format_opp, rounded_is_float64].
 Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in
-  assert (E := sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption)); change (rounded (f + g)) with s in E.
+  pose proof sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption) as E; change (rounded (f + g)) with s in E.
 (* The part of 26 digits, which is split off by a multiplication. *)
-Lemma high_part (x : R) : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
+Lemma high_part x : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
   (Znearest (fun n => negb (Z.even n))) x.
 Proof.
-  intro F. assert (H := Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl).
+  intro F. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl as H.
   change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H
     by (simpl; lra).
   rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. exact H.
 Qed.
 (* Its product with a number of 27 digits is exact. *)
-Lemma short_product (h : R) (k e : Z) : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/
-  bpow radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
+Lemma short_product h k e : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/ bpow
+  radix2 (-1022) <= Rabs (h * (IZR k * bpow radix2 e)) -> float64 (h * (IZR k * bpow radix2 e)).
 Proof.
   intros F K [-> | L]; [apply generic_format_0|].
   apply generic_format_FLT_FLX; [exact L|]. apply generic_format_FLX_FLT, FLX_format_generic in F; [|easy]. destruct F as [[n j] E N]. cbn [Fnum] in N.
@@ -67,17 +67,17 @@ Proof.
     27)%Z; lia]].
   rewrite E. unfold F2R. cbn [Fnum Fexp]. rewrite mult_IZR, bpow_plus. ring.
 Qed.
-Lemma units_below (z e k : Z) : (0 <= k)%Z -> Rabs (IZR z * bpow radix2 e) < bpow radix2 (k + e) -> (Z.abs z < 2 ^ k)%Z.
+Lemma units_below z e k : (0 <= k)%Z -> Rabs (IZR z * bpow radix2 e) < bpow radix2 (k + e) -> (Z.abs z < 2 ^ k)%Z.
 Proof.
   intros K B. apply lt_IZR. rewrite abs_IZR, (IZR_Zpower radix2) by exact K. apply Rmult_lt_reg_r with (bpow radix2 e); [apply bpow_gt_0|].
   rewrite <- bpow_plus. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)) in B by apply bpow_ge_0. exact B.
 Qed.
-Lemma no_part (z e : Z) : IZR z * bpow radix2 e = 0 \/ bpow radix2 e <= Rabs (IZR z * bpow radix2 e).
+Lemma no_part z e : IZR z * bpow radix2 e = 0 \/ bpow radix2 e <= Rabs (IZR z * bpow radix2 e).
 Proof.
-  destruct (Z.eq_dec z 0) as [-> | Z]; [left; ring | right]. assert (P := bpow_gt_0 radix2 e). rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR
+  destruct (Z.eq_dec z 0) as [-> | Z]; [left; ring | right]. pose proof bpow_gt_0 radix2 e as P. rewrite Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- abs_IZR
     by lra. assert (1 <= IZR (Z.abs z)) by (apply IZR_le; lia). nra.
 Qed.
-Lemma at_the_scale_of (b u U : R) : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
+Lemma at_the_scale_of b u U : 0 < b -> Rabs u <= U -> Rabs (u * b) <= U * b.
 Proof. intros. apply bounded_product; [assumption | rewrite Rabs_pos_eq; lra]. Qed.
 
 Section doublings.
@@ -89,7 +89,7 @@ Let m := natural_logarithm_float64.mantissa x.
 Lemma doublings_and_mantissa : exists n : Z, natural_logarithm_float64.doublings x = IZR n /\ (-1075 <= n <= 1025)%Z /\ float64 m /\ 7071067/10000000
   <= m <= 14142137/10000000 /\ ln x = IZR n * ln 2 + ln m.
 Proof.
-  assert (L := generic_format_ge_bpow radix2 (FLT_exp (-1074) 53) (-1074) ltac:(intro; apply Z.le_max_r) x (proj1 P) F).
+  pose proof generic_format_ge_bpow radix2 (FLT_exp (-1074) 53) (-1074) ltac:(intro; apply Z.le_max_r) x (proj1 P) F as L.
   assert (K : exists b k, natural_logarithm_float64.scaled_by x = IZR b /\ bpow radix2 k <= x /\ (-1022 - k <= b)%Z /\ (-874 <= k + b)%Z).
   { unfold natural_logarithm_float64.scaled_by. destruct Rlt_dec as [W|W]; [exists 200%Z, (-1074)%Z | exists (-200)%Z, 0%Z; apply Rnot_lt_le in W];
     repeat split; assumption || easy. }
@@ -98,14 +98,14 @@ Proof.
     lra | exact Kb]. }
   assert (Sl : bpow radix2 (-874) <= s).
   { apply Rle_trans with (bpow radix2 (k + b)); [apply bpow_le, Ks|]. rewrite bpow_plus. apply Rmult_le_compat_r; [apply bpow_ge_0 | exact K]. }
-  assert (S0 := bpow_gt_0 radix2 (-874)). set (c := 6369051672525773 / 4503599627370496). destruct (standard_model (c * s)) as (d & D & W).
+  pose proof bpow_gt_0 radix2 (-874) as S0. set (c := 6369051672525773 / 4503599627370496). destruct (standard_model (c * s)) as (d & D & W).
   { rewrite Rabs_pos_eq by (unfold c; lra). apply Rle_trans with (bpow radix2 (-874)); [apply bpow_le; easy | unfold c; lra]. }
   replace unit_roundoff with (/ 2 ^ 53) in D by (unfold unit_roundoff; simpl; lra). both_ways D. set (e := (mag radix2 (c * s * (1 + d)) - 1)%Z).
-  assert (Wp : 0 < c * s * (1 + d)) by (apply Rmult_lt_0_compat; [unfold c|]; lra). assert (M := bpow_mag_gt radix2 (c * s * (1 + d))). assert (N :=
-    bpow_mag_le radix2 (c * s * (1 + d)) ltac:(lra)).
+  assert (Wp : 0 < c * s * (1 + d)) by (apply Rmult_lt_0_compat; [unfold c|]; lra). pose proof bpow_mag_gt radix2 (c * s * (1 + d)) as M. pose
+    proof bpow_mag_le radix2 (c * s * (1 + d)) ltac:(lra) as N.
   rewrite Rabs_pos_eq in M, N by lra. fold e in N. replace (mag radix2 (c * s * (1 + d)) : Z) with (e + 1)%Z in M by (unfold e; lia). rewrite
     bpow_plus in M. change (bpow radix2 1) with 2 in M.
-  assert (E0 := bpow_gt_0 radix2 e). set (g := c * (1 + d)). assert (G : 14142135/10000000 <= g <= 14142136/10000000) by (unfold g, c; lra). replace
+  pose proof bpow_gt_0 radix2 e as E0. set (g := c * (1 + d)). assert (G : 14142135/10000000 <= g <= 14142136/10000000) by (unfold g, c; lra). replace
     (c * s * (1 + d)) with (s * g) in M, N by (unfold g; ring).
   assert (Bi : natural_logarithm_float64.binary x = IZR e) by (unfold natural_logarithm_float64.binary; rewrite S; fold c; rewrite W; reflexivity).
   assert (Mm : m = s * bpow radix2 (- e)).
@@ -117,7 +117,7 @@ Proof.
   assert (X : x = m * bpow radix2 (e - b)) by (unfold Z.sub; rewrite bpow_plus, <- Rmult_assoc, Ms; symmetry; apply Back).
   assert (Bm : 7071067/10000000 <= m <= 14142137/10000000) by (rewrite <- Ms in M, N; clearbody g; split; nra).
   assert (Q : (-1075 <= e - b <= 1025)%Z).
-  { assert (E1 := bpow_gt_0 radix2 (e - b)). assert (U : bpow radix2 (e - b) < bpow radix2 (1 + 1024)) by (rewrite (bpow_plus radix2 1); change (bpow
+  { pose proof bpow_gt_0 radix2 (e - b) as E1. assert (U : bpow radix2 (e - b) < bpow radix2 (1 + 1024)) by (rewrite (bpow_plus radix2 1); change (bpow
     radix2 1) with 2; nra). apply lt_bpow in U.
     assert (V : bpow radix2 (-1 + -1074) < bpow radix2 (e - b)) by (rewrite (bpow_plus radix2 (-1)); change (bpow radix2 (-1)) with (/ 2); nra). apply
       lt_bpow in V. lia. }
@@ -144,14 +144,16 @@ Proof.
   destruct Rlt_dec as [C|C]; [|destruct Rlt_dec as [D|D]]; clear d v r M; clearbody m; (split; [apply Rabs_le; lra | split; [lra|]]).
   - split; [interval with (i_prec 120)|]. split; [interval|]. split; [exists 203%Z, (-15202)%Z; simpl bpow; repeat split; lra || lia|]. right. split;
     [split; interval|]. rewrite Rabs_left by interval. interval.
-  - rewrite ln_1, Rplus_0_r, Rminus_0_r, Rabs_R0. split; [lra|]. split; [lra|]. split; [exists 256%Z, 0%Z; simpl bpow; repeat split; lra || lia|]. left. lra.
+  - rewrite ln_1, Rplus_0_r, Rminus_0_r, Rabs_R0. split; [lra|]. split; [lra|]. split; [exists 256%Z, 0%Z; simpl bpow; repeat split; lra || lia|].
+    left. lra.
   - apply Rnot_lt_le in D. split; [interval with (i_prec 120)|]. split; [interval|]. split; [exists 323%Z, 15235%Z; simpl bpow; repeat split; lra ||
     lia|]. right. split; [split; interval|]. rewrite Rabs_pos_eq by interval. interval.
 Qed.
-Lemma log_whole_exact (n : Z) : natural_logarithm_float64.doublings x = IZR n -> (-1075 <= n <= 1025)%Z ->
-  W = 22713/32768 * IZR n + v /\ exists k, W = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z.
+Lemma log_whole_exact n : natural_logarithm_float64.doublings x = IZR n -> (-1075 <= n <= 1025)%Z -> W = 22713/32768 * IZR n + v /\ exists k, W =
+  IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z.
 Proof.
-  intros D N. destruct node_of_mantissa as (_ & _ & _ & _ & (_ & j & _ & V & _ & J) & _). unfold W, natural_logarithm_float64.log_whole. fold v. rewrite D.
+  intros D N. destruct node_of_mantissa as (_ & _ & _ & _ & (_ & j & _ & V & _ & J) & _). unfold W, natural_logarithm_float64.log_whole. fold v.
+    rewrite D.
   assert (A : 22713/32768 * IZR n = IZR (45426 * n) * bpow radix2 (-16)) by (rewrite mult_IZR; simpl bpow; lra).
   assert (H : rounded (22713/32768 * IZR n) = 22713/32768 * IZR n) by (apply kept; rewrite A; apply whole_is_float64; lia).
   assert (B : 22713/32768 * IZR n + v = IZR (45426 * n + j) * bpow radix2 (-16)) by (rewrite A, V, plus_IZR; ring).
@@ -164,7 +166,8 @@ Let q := (m - d) / (m + d).
 Lemma above_node_exact : natural_logarithm_float64.above_node x = m - d /\ (m - d = 0 \/ bpow radix2 (-53) <= Rabs (m - d)).
 Proof.
   destruct node_of_mantissa as (_ & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct M as [Fm Bm]. fold d in Bd, D.
-  destruct (multiple_of_power m (-53) Fm) as [j J]; [rewrite Rabs_pos_eq by lra; apply Rle_trans with (bpow radix2 (-1)); [apply bpow_le; easy | simpl; lra]|].
+  destruct (multiple_of_power m (-53) Fm) as [j J]; [rewrite Rabs_pos_eq by lra; apply Rle_trans with (bpow radix2 (-1)); [apply bpow_le; easy |
+    simpl; lra]|].
   assert (A : m - d = IZR (j - k * 2 ^ 45) * bpow radix2 (-53)) by (rewrite J, D, minus_IZR, mult_IZR; change (IZR (2 ^ 45)) with (bpow radix2 45);
     replace (bpow radix2 (-8)) with (bpow radix2 45 * bpow radix2 (-53)) by (rewrite <- bpow_plus; reflexivity); ring).
   split.
@@ -178,7 +181,7 @@ Lemma scale : Rabs q <= 589/10000 /\ 0 < negligible <= bpow radix2 (-100) /\ neg
 Proof.
   destruct node_of_mantissa as (Bq & Bd & _). destruct M as [_ Bm]. assert (Q : Rabs q <= 589/10000) by (unfold q; fold m d in Bq, Bd; rewrite
     Rabs_div, (Rabs_pos_eq (m + d)) by lra; apply Rle_div_l; lra).
-  assert (t0 : 0 < negligible <= bpow radix2 (-100)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). assert (q0 := Rabs_pos q). assert (b0 :
+  assert (t0 : 0 < negligible <= bpow radix2 (-100)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). pose proof Rabs_pos q as q0. assert (b0 :
     negligible <= b) by (unfold b; lra).
   split; [exact Q | split; [exact t0 | split; [exact b0 | split; [simpl bpow in t0; unfold b; lra | split; [unfold c; field; lra|]]]]]. unfold c.
     rewrite Rabs_div, (Rabs_pos_eq b) by lra. apply Rle_div_l; unfold b; lra.
@@ -189,7 +192,8 @@ Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \
 Proof.
   destruct node_of_mantissa as (Bq & Bd & _ & _ & (k & _ & D & _ & K & _) & _). destruct above_node_exact as [A A0]. destruct M as [Fm Bm]. fold m d
     in Bq, Bd, D.
-  assert (Fd : float64 d) by (rewrite D; apply whole_is_float64; lia). set (S := m + d) in *. assert (BS : 1497/1000 <= S <= 26843/10000) by (unfold S; lra).
+  assert (Fd : float64 d) by (rewrite D; apply whole_is_float64; lia). set (S := m + d) in *. assert (BS : 1497/1000 <= S <= 26843/10000) by
+    (unfold S; lra).
   assert (qS : m - d = q * S) by (unfold q; fold S; field; lra). destruct scale as (Q & t0 & b0 & Bb & cb & Bc).
   destruct (rounded_sum m d Fm Fd) as (u & Bu & Es).
   set (I := natural_logarithm_float64.inverse x). destruct (relative 53 b (1 / (S * (1 + u))) I eq_refl b0 ltac:(unfold S; rewrite <- Es;
@@ -204,7 +208,8 @@ Proof.
     - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field.
       both_ways Bu. split; lra. }
   clearbody f.
-  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply at_the_scale_of, Bf; lra).
+  assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply
+    at_the_scale_of, Bf; lra).
   assert (h0 : h = 0 \/ bpow radix2 (-60) <= Rabs h).
   { destruct A0 as [Z|Z].
     - left. assert (a0 : a = 0) by (unfold a, natural_logarithm_float64.a; rewrite A, Z, Rmult_0_l; apply rounded_0).
@@ -217,7 +222,8 @@ Proof.
   split; [exact Fh | split; [exact h0 | split; [exact Eh|]]]. set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728))
     <= 1001/1000 / 2 ^ 26).
   { assert (B : Rabs (m + 134217728) <= 134217730) by (apply Rabs_le; lra). eapply Rle_trans; [exact (rounded_error _ _ B) | lra]. }
-  destruct (multiple_of_power l (-25)) as [i L]; [apply rounded_is_float64 | change (bpow radix2 (-25 + 52)) with 134217728; rewrite Rabs_pos_eq; by_sides|].
+  destruct (multiple_of_power l (-25)) as [i L]; [apply rounded_is_float64 | change (bpow radix2 (-25 + 52)) with 134217728; rewrite Rabs_pos_eq;
+    by_sides|].
   set (p := natural_logarithm_float64.mantissa_short x). assert (Lp : l - 134217728 = IZR (i - 2 ^ 52) * bpow radix2 (-25)) by (rewrite L, minus_IZR;
     simpl bpow; lra).
   assert (Ip : (Z.abs (i - 2 ^ 52) < 2 ^ 26)%Z) by (apply (units_below _ (-25)); [easy|]; rewrite <- Lp; apply Rabs_lt; simpl bpow; by_sides).
@@ -248,7 +254,8 @@ Proof.
   replace (1 + q) with (m * (2 / (m + d))) by (unfold q; field; lra). replace (1 - q) with (d * (2 / (m + d))) by (unfold q; field; lra). rewrite
     !ln_mult by lra. ring.
 Qed.
-Lemma tail_near : let s := logarithm_polynomial.log_tail q in Rabs (natural_logarithm_float64.log_tail x - s) <= 17/1000 / 2 ^ 53 * b /\ Rabs s <= 24/10000 * b.
+Lemma tail_near : let s := logarithm_polynomial.log_tail q in Rabs (natural_logarithm_float64.log_tail x - s) <= 17/1000 / 2 ^ 53 * b /\ Rabs s <=
+  24/10000 * b.
 Proof.
   destruct scale as (Q & t0 & b0 & Bb & cb & Bc). destruct quotient_in_two as (_ & _ & _ & Ee). set (g := (e - (q - h)) / b). assert (Bg : Rabs g <= 1
     / 2 ^ 70) by (unfold g; rewrite Rabs_div, (Rabs_pos_eq b) by lra; apply Rle_div_l; lra).
@@ -267,11 +274,13 @@ Proof.
     + b * t2) by (unfold k; ring); clearbody b c k; interval).
   assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F',
     G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
-  change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b * t3) in E3.
+  change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b *
+    t3) in E3.
   split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1
     + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F'
     - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
-    (apply at_the_scale_of; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with (i_prec 100).
+    (apply at_the_scale_of; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with
+      (i_prec 100).
 Qed.
 
 Section parts.
@@ -295,16 +304,17 @@ Proof.
       | C]; [rewrite Rabs_R0|]; lra).
       clear - Y B O V. clearbody m v. split; unfold Rabs in *; repeat destruct Rcase_abs; nra. }
   destruct Small as [(n0 & d1 & v0 & r0) | [By BW]].
-  - assert (K : w = 0) by (rewrite E, n0, r0, Rmult_0_r, rounded_0, Rplus_0_r; apply rounded_0). assert (Y0 := Rabs_pos (ln m)). assert (S :=
-    series_relative q Q). rewrite quotient_logarithm in S. destruct tail_near as [_ T].
+  - assert (K : w = 0) by (rewrite E, n0, r0, Rmult_0_r, rounded_0, Rplus_0_r; apply rounded_0). pose proof Rabs_pos (ln m) as Y0. pose proof
+    series_relative q Q as S. rewrite quotient_logarithm in S. destruct tail_near as [_ T].
     rewrite H, K, n0, v0, d1, ln_1, Rmult_0_r, Rmult_0_l, !Rplus_0_l, ?Rplus_0_r, Rminus_0_r, Rabs_R0 in *. split; [lra | split; [lra | split; [|left;
       reflexivity]]].
     unfold b in T. clear - S T t0. unfold Rabs in *. repeat destruct Rcase_abs; lra.
-  - assert (N0 := Rabs_pos (IZR n)). set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (apply bounded_product;
+  - pose proof Rabs_pos (IZR n) as N0. set (N := Rabs (IZR n)) in *. assert (BL : Rabs (L * IZR n) <= 143/100000000 * N) by (apply bounded_product;
     [unfold L; interval | apply Rle_refl]).
-    assert (Bs : Rabs (L * IZR n + r) <= 143/100000000 * N + 8/1000000) by (eapply Rle_trans; [apply Rabs_triang | lra]). assert (X := sum_error _ _ r
-      _ _ Bs (rounded_error _ _ BL)). rewrite <- E in X.
-    assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) | apply Rle_refl]).
+    assert (Bs : Rabs (L * IZR n + r) <= 143/100000000 * N + 8/1000000) by (at_most_by Rabs_triang; lra). pose proof sum_error _ _ r
+      _ _ Bs (rounded_error _ _ BL) as X. rewrite <- E in X.
+    assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) |
+      apply Rle_refl]).
     split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
     replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
 Qed.
@@ -313,20 +323,20 @@ Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (
   Rabs (natural_logarithm_float64.log_rest x) <= 14/10000 * Rabs y + negligible /\ Rabs (W + 2 * h + natural_logarithm_float64.log_rest x - y) <=
     19/1000 / 2 ^ 53 * Rabs y + negligible.
 Proof.
-  destruct scale as (Q & t0 & _ & [_ b1] & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. assert (Es :=
-    series_relative q Q). rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
+  destruct scale as (Q & t0 & _ & [_ b1] & _). destruct quotient_in_two as (_ & _ & Eh & Ee). destruct tail_near as [Et Bt]. pose proof
+    series_relative q Q as Es. rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
   assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1);
     apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
-  assert (Fl := rounded_is_float64).
+  pose proof rounded_is_float64 as Fl.
   split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in
-    t0. assert (Y0 := Rabs_pos y).
+    t0. pose proof Rabs_pos y as Y0.
   assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
   assert (Bh : Rabs (2 * h) = 2 * Rabs h) by (rewrite Rabs_mult, (Rabs_pos_eq 2); lra). rewrite Bh.
   split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize
     (size _ _ _ _ Bq Eh); lra|].
   set (a := rounded (t + w)). added a t w (134/100000 * Rabs y + negligible / 100).
   assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides).
-    assert (E2 := sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2).
+    pose proof sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2 as E2.
   change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2.
     set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
   replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e
@@ -336,7 +346,8 @@ End parts.
 End logarithm.
 
 (* What is added in two operations, the sum and what it loses, is the sum where the first is not the smaller, or 0. *)
-Lemma sum_in_two (a b : R) : float64 a -> float64 b -> a = 0 \/ Rabs b <= Rabs a -> rounded (b + a) + rounded (rounded (a - rounded (b + a)) + b) = a + b.
+Lemma sum_in_two a b : float64 a -> float64 b -> a = 0 \/ Rabs b <= Rabs a -> rounded (b + a) + rounded (rounded (a - rounded (b + a)) + b) = a +
+  b.
 Proof.
   intros A B [-> | S].
   - rewrite Rplus_0_r, (kept b B), Rminus_0_l, (kept (- b) (generic_format_opp _ _ _ B)). rewrite Rplus_opp_l, rounded_0. ring.
@@ -344,12 +355,11 @@ Proof.
     exact B | exact S].
     intro n. rewrite Z.even_opp, Z.even_add. destruct (Z.even n); reflexivity.
 Qed.
-Lemma parts_of_logarithm (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> let w := natural_logarithm_float64.log_whole x in let q :=
-  natural_logarithm_float64.log_quotient x in let r := natural_logarithm_float64.log_rest x in
-  (w = 0 \/ Rabs q <= Rabs w) /\ Rabs q <= 11/10 * Rabs (ln x) + 3 * negligible /\ Rabs r <= 14/10000 * Rabs (ln x) + negligible /\ Rabs (w + q + r -
-    ln x) <= 19/1000 / 2 ^ 53 * Rabs (ln x) + negligible /\
-  (exists k, w = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z) /\ (exists h, q = 2 * h /\ generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0
-    \/ bpow radix2 (-60) <= Rabs h)).
+Lemma parts_of_logarithm x : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> let w := natural_logarithm_float64.log_whole x in let q :=
+  natural_logarithm_float64.log_quotient x in let r := natural_logarithm_float64.log_rest x in (w = 0 \/ Rabs q <= Rabs w) /\ Rabs q <= 11/10 *
+  Rabs (ln x) + 3 * negligible /\ Rabs r <= 14/10000 * Rabs (ln x) + negligible /\ Rabs (w + q + r - ln x) <= 19/1000 / 2 ^ 53 * Rabs (ln x) +
+  negligible /\ (exists k, w = IZR k * bpow radix2 (-16) /\ (Z.abs k < 2 ^ 26)%Z) /\ (exists h, q = 2 * h /\ generic_format radix2 (FLT_exp
+  (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h)).
 Proof.
   intros F [P L] w q r. assert (U : x < bpow radix2 1024) by (eapply Rle_lt_trans; [exact L | change (bpow radix2 1024) with (IZR (2 ^ 1024)); apply
     IZR_lt; easy]).
@@ -360,34 +370,35 @@ Proof.
     (natural_logarithm_float64.a_high x); split; [exact H | split; [exact Fh | exact Oh]]]]]]].
 Qed.
 (* The logarithm of a float64 above 0 is within 41/40 2^-53 of its logarithm, relative to that, and 2^-896. *)
-Theorem elementary_functions__log (x : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
-  Rabs (natural_logarithm_float64.logarithm x - ln x) <= 41/40 * (1 / 2 ^ 53) * Rabs (ln x) + bpow radix2 (-896).
+Theorem elementary_functions__log x : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> Rabs (natural_logarithm_float64.logarithm x - ln x) <=
+  41/40 * (1 / 2 ^ 53) * Rabs (ln x) + bpow radix2 (-896).
 Proof.
   intros F [P L]. destruct (parts_of_logarithm x F (conj P L)) as (S & _ & BR & E & _).
   unfold natural_logarithm_float64.logarithm. destruct both as [_ | [C | C]]; [|destruct C; exact L | destruct C; exact P]. clear L F.
   set (w := natural_logarithm_float64.log_whole x) in *. set (q := natural_logarithm_float64.log_quotient x) in *. set (r :=
     natural_logarithm_float64.log_rest x) in *.
-  assert (Fl := rounded_is_float64). assert (Q := sum_in_two w q (Fl _) (Fl _) S). set (y := ln x) in *. assert (y0 := Rabs_pos y).
+  pose proof rounded_is_float64 as Fl. pose proof sum_in_two w q (Fl _) (Fl _) S as Q. set (y := ln x) in *. pose proof Rabs_pos y as y0.
   assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite
     <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
   assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 3 * negligible).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
+  { replace (q + w) with (w + q + r - y + y - r) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
     r - y) y). lra. }
-  assert (Es := sum_within q w _ (Fl _) (Fl _) Bs). set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s +
+  pose proof sum_within q w _ (Fl _) (Fl _) Bs as Es. set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s +
     c = w + q) in Q.
-  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). assert (El := sum_within r c _
-    (Fl _) (Fl _) Bl). set (l := rounded (r + c)) in *.
-  assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by lra; by_sides).
+  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). pose proof sum_within r c _
+    (Fl _) (Fl _) Bl as El. set (l := rounded (r + c)) in *.
+  assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by
+    lra; by_sides).
   generalize (through _ _ _ _ _ (sum_within l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with
     (natural_logarithm_float64.log_near x). lra.
 Qed.
-Theorem elementary_functions__log__point : exists x : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
+Theorem elementary_functions__log__point : exists x, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
 Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.
 (* It is not so near its tangent at 1. *)
 Theorem elementary_functions__log__false : ~ forall x, float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) ->
   Rabs (natural_logarithm_float64.logarithm x - (x - 1)) <= 41/40 * (1 / 2 ^ 53) * Rabs (x - 1) + bpow radix2 (-896).
 Proof.
-  intro H. assert (F := two_is_float64). assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
+  intro H. pose proof two_is_float64 as F. assert (P : 0 < 2 <= IZR (2 ^ 1024 - 2 ^ 971)) by (split; [lra | apply IZR_le; easy]).
   generalize (H 2 F P) (elementary_functions__log 2 F P). assert (T : bpow radix2 (-896) <= bpow radix2 (-10)) by (apply bpow_le; easy). change (bpow
     radix2 (-10)) with (/ 1024) in T.
   assert (L : 69/100 <= ln 2 <= 7/10) by (split; interval). replace (2 - 1) with 1 by ring. rewrite Rabs_R1, (Rabs_pos_eq (ln 2)) by lra. clear H.

@@ -26,10 +26,10 @@ Proof.
     H & Fh & Oh)).
   set (w := raised_float64.log_whole x) in *. set (q := raised_float64.log_quotient x) in *. set (r := raised_float64.log_rest x) in *.
   assert (t0 : 0 < negligible <= bpow radix2 (-300)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). simpl bpow in t0. set (Y := Rabs y + / 2 ^
-    200). assert (y0 := Rabs_pos y). set (z := p * Y).
+    200). pose proof Rabs_pos y as y0. set (z := p * Y).
   assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply
     Rmult_le_compat_r; lra]).
-  assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). assert (Fl := rounded_is_float64).
+  assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). pose proof rounded_is_float64 as Fl.
   set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite
     (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
@@ -52,15 +52,15 @@ Proof.
   { rewrite <- (sum_in_two u v (Fl _) (Fl _)); [unfold g, raised_float64.product_near_rest; fold v; rewrite (Rplus_comm v); reflexivity|]. rewrite Hw,
     Hq, !Rabs_mult. destruct S as [-> | S]; [left; ring | right; apply Rmult_le_compat_l; [apply Rabs_pos | exact S]]. }
   assert (Bqw : Rabs (q + w) <= 1002/1000 * Y).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
+  { replace (q + w) with (w + q + r - y + y - r) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
     r - y) y). unfold Y. lra. }
-  assert (Bq' : Rabs q <= 11/10 * Y) by (unfold Y; lra). assert (Bw : Rabs w <= 22/10 * Y) by (replace w with (q + w - q) by ring; eapply Rle_trans;
-    [apply Rabs_triang | rewrite Rabs_Ropp; lra]).
+  assert (Bq' : Rabs q <= 11/10 * Y) by (unfold Y; lra). assert (Bw : Rabs w <= 22/10 * Y) by (replace w with (q + w - q) by ring; at_most_by
+    Rabs_triang; rewrite Rabs_Ropp; lra).
   assert (Bb : Rabs b <= 10001/10000 * p) by (rewrite Rabs_pos_eq; by_sides). assert (Bu : Rabs (v + u) <= 1003/1000 * z).
   { rewrite Hq, Hw, <- Rmult_plus_distr_l. eapply Rle_trans; [exact (bounded_product _ _ _ _ Bb Bqw) | unfold z in *; lra]. }
   set (c := raised_float64.b_low p). assert (Ec : Rabs (c - (p - b)) <= / 2 ^ 77 * p).
   { destruct (relative 53 p (p - b) c eq_refl ltac:(lra) eq_refl) as (d1 & t1 & D1 & T1 & ->). simpl bpow in D1. replace (_ - (p - b)) with ((p - b) *
-    d1 + t1 * p) by ring. eapply Rle_trans; [apply Rabs_triang|].
+    d1 + t1 * p) by ring. at_most_by Rabs_triang.
     generalize (bounded_product _ _ _ _ Eb D1) (bounded_product _ _ _ _ T1 Pp). lra. }
   assert (Any : forall f X, Rabs f <= X -> Rabs (rounded f - f) <= / 2 ^ 53 * X + / 2 ^ 100 * z).
   { intros f X B. assert (T : bpow radix2 (-1074) <= / 2 ^ 100 * negligible) by (replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); unfold
@@ -68,17 +68,19 @@ Proof.
   assert (Bc : Rabs c <= / 2 ^ 24 * p) by (generalize (size _ _ _ _ Eb Ec); lra).
   assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bq') | unfold z in *; lra]). assert (Bcw :
     Rabs (c * w) <= 3 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bw) | unfold z in *; lra]).
-  assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (141/100000 * Y) Pp); unfold Y; lra | unfold z in *; lra]).
+  assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (141/100000 * Y) Pp); unfold Y; lra | unfold z
+    in *; lra]).
   assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Ec Bqw) | unfold z in *; lra]).
   assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (191/10000 / 2 ^ 53 * Y) Pp);
     unfold Y; lra | unfold z in *; lra]).
-  assert (E3 := Any _ _ Bcq). assert (E4 := Any _ _ Bcw). assert (E5 := Any _ _ Bpr). assert (Eo := sum_within v u _ (Fl _) (Fl _) Bu). change
+  pose proof Any _ _ Bcq as E3. pose proof Any _ _ Bcw as E4. pose proof Any _ _ Bpr as E5. pose proof sum_within v u _ (Fl _) (Fl _) Bu as Eo. change
     (rounded (v + u)) with o in Eo.
   set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p).
     set (gained := raised_float64.product_gained x p).
   assert (z1 : 0 < z) by lra. clearbody z Y.
   set (f4 := rounded (f1 + f2)). set (f5 := rounded (f4 + f3)). added f4 f1 f2 (6 / 2 ^ 24 * z). added f5 f4 f3 (142/100000 * z).
-  assert (Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). added rest f5 g (143/100000 * z). added t o rest (1005/1000 * z).
+  assert (Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). added rest f5 g (143/100000 * z). added t o rest
+    (1005/1000 * z).
   added gained t (- o) (144/100000 * z). added e rest (- gained) (101/100 / 2 ^ 53 * z).
   split.
   - replace (t + e - p * y) with (p * (w + q + r - y) + (c - (p - b)) * (q + w) + (f1 - c * q) + (f2 - c * w) + (f3 - p * r) + (f4 - (f1 + f2)) + (f5
@@ -94,27 +96,27 @@ Proof.
   assert (Bs : Rabs s <= 709) by (apply Rabs_le; lra). assert (E' : Rabs (t + e - s) <= (26/1000 * Rabs s + 1/1000) / 2 ^ 53) by lra. assert (Be' :
     Rabs e <= 1 / 2 ^ 42) by lra.
   assert (Bt : -708 <= t <= 709) by (clear Be E Z; assert (Rabs (t + e - s) <= 20 / 2 ^ 53) by lra; clear E'; by_sides).
-  assert (X := elementary_functions__exp t e (rounded_is_float64 _) Bt Be'). change (exponential_of_sum_float64.exponential t e) with
+  pose proof elementary_functions__exp t e (rounded_is_float64 _) Bt Be' as X. change (exponential_of_sum_float64.exponential t e) with
     (raised_float64.exponential x p) in X.
   unfold raised_float64.power. destruct Rle_dec as [N|_]; [lra|]. set (f := raised_float64.exponential x p) in *.
   replace (t + e) with (s + (t + e - s)) in X by ring. rewrite exp_plus in X. set (v := exp s) in *. assert (V : 0 < v) by apply exp_pos. set (d := t
     + e - s) in *.
   assert (G : Rabs (exp d - 1 - d) <= 1 / 2 ^ 90).
   { assert (B : Rabs d <= 20 / 2 ^ 53) by lra. clearbody d. clear - B. both_ways B. interval with (i_taylor d, i_degree 4, i_prec 200). }
-  set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring; eapply
-    Rle_trans; [apply Rabs_triang | lra]).
-  assert (K' : v * k <= 1001/1000 * v) by (apply Rle_trans with (v * (1001/1000)); [apply Rmult_le_compat_l; [lra | generalize (Rle_abs (k - 1)); lra] | lra]).
-  replace (f - v) with (f - v * k + v * (k - 1)) by ring. eapply Rle_trans; [apply Rabs_triang|]. rewrite (Rabs_mult v), (Rabs_pos_eq v) by lra.
+  set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring;
+    at_most_by Rabs_triang; lra).
+  assert (K' : v * k <= 1001/1000 * v) by (apply Rle_trans with (v * (1001/1000)); [apply Rmult_le_compat_l; [lra | generalize (Rle_abs (k - 1));
+    lra] | lra]).
+  replace (f - v) with (f - v * k + v * (k - 1)) by ring. at_most_by Rabs_triang. rewrite (Rabs_mult v), (Rabs_pos_eq v) by lra.
   generalize (Rmult_le_compat_l v _ _ (Rlt_le _ _ V) K). assert (0 <= v * Rabs s) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). nra.
 Qed.
 End raised_in_two.
 (* The power of a float64 above 0 is within (5/2 + 3/100 |p ln x|) 2^-53 of the power, relative to that: it errs like the exponential, and by what the
   logarithm's error becomes. *)
-Theorem elementary_functions__power (x p : R) : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100)
-  <= p * ln x <= 70899/100 ->
-  Rabs (raised_float64.power x p - Rpower x p) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower x p.
+Theorem elementary_functions__power x p : float64 x -> 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) -> float64 p -> / 2048 <= p <= 2 ^ 20 -> - (70799/100) <=
+  p * ln x <= 70899/100 -> Rabs (raised_float64.power x p - Rpower x p) <= (5/2 + 3/100 * Rabs (p * ln x)) * (1 / 2 ^ 53) * Rpower x p.
 Proof. apply power_near. Qed.
-Theorem elementary_functions__power__point : exists x p : R, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) /\ float64 p /\ / 2048 <= p <= 2 ^ 20 /\ -
+Theorem elementary_functions__power__point : exists x p, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971) /\ float64 p /\ / 2048 <= p <= 2 ^ 20 /\ -
   (70799/100) <= p * ln x <= 70899/100.
 Proof. exists 1, 1. rewrite ln_1. repeat split; try apply one_is_float64; try apply IZR_le; lra || easy. Qed.
 (* Base and exponent do not change places. *)

@@ -1,6 +1,6 @@
 (* Powers of cos t + i sin t by rounded squarings and products: what n of them cost. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Claim.
 From Formal Require Statements.
@@ -14,21 +14,21 @@ Inductive computed (z : C) (kappa : R) : nat -> C -> Prop :=
 
 Definition on_circle (t : R) : C := (cos t, sin t).
 
-Lemma on_circle_plus (s t : R) : on_circle (s + t) = (on_circle s * on_circle t)%C.
+Lemma on_circle_plus s t : on_circle (s + t) = (on_circle s * on_circle t)%C.
 Proof. unfold on_circle, Cmult. simpl. rewrite cos_plus, sin_plus. f_equal; ring. Qed.
-Lemma size_on_circle (t : R) : Cmod (on_circle t) = 1.
+Lemma size_on_circle t : Cmod (on_circle t) = 1.
 Proof. unfold Cmod, on_circle. cbn [fst snd]. rewrite <- sqrt_1. f_equal. generalize (sin2_cos2 t). unfold Rsqr. lra. Qed.
-Lemma powers_begin (z : C) (kappa : R) (n : nat) (w : C) : computed z kappa n w -> (1 <= n)%nat.
+Lemma powers_begin z kappa n w : computed z kappa n w -> (1 <= n)%nat.
 Proof. induction 1; lia. Qed.
 
 (* One product: errors A - 1 and B - 1 become (1 + kappa) A B - 1. *)
-Lemma one_product (kappa A B s t : R) (a b c : C) : 0 <= kappa -> Cmod (a - on_circle s)%C <= A - 1 -> Cmod (b - on_circle t)%C <= B - 1 ->
-  Cmod (c - a * b)%C <= kappa * Cmod (a * b)%C -> Cmod (c - on_circle (s + t))%C <= (1 + kappa) * (A * B) - 1.
+Lemma one_product kappa A B s t a b c : 0 <= kappa -> Cmod (a - on_circle s)%C <= A - 1 -> Cmod (b - on_circle t)%C <= B - 1 -> Cmod (c - a * b)%C
+  <= kappa * Cmod (a * b)%C -> Cmod (c - on_circle (s + t))%C <= (1 + kappa) * (A * B) - 1.
 Proof.
   intros K Ha Hb Hc. rewrite on_circle_plus.
   assert (S : forall z r Z, Cmod (z - on_circle r)%C <= Z - 1 -> Cmod z <= Z) by (intros z r Z H; replace z with ((z - on_circle r) + on_circle r)%C
     by ring; eapply Rle_trans; [apply Cmod_triangle | rewrite size_on_circle; lra]).
-  assert (Sa := S _ _ _ Ha). assert (Sb := S _ _ _ Hb).
+  pose proof S _ _ _ Ha as Sa. pose proof S _ _ _ Hb as Sb.
   assert (Sab : Cmod (a * b)%C <= A * B) by (rewrite Cmod_mult; apply Rmult_le_compat; try apply Cmod_ge_0; assumption).
   replace (c - on_circle s * on_circle t)%C with ((c - a * b) + ((a - on_circle s) * b + on_circle s * (b - on_circle t)))%C by ring.
   eapply Rle_trans; [apply Cmod_triangle|]. eapply Rle_trans; [apply Rplus_le_compat_l, Cmod_triangle|].
@@ -38,8 +38,8 @@ Proof.
 Qed.
 
 (* The n-th power of a number within delta of cos t + i sin t is within (1 + delta)^n (1 + kappa)^(n - 1) - 1 of cos nt + i sin nt: by induction. *)
-Theorem rounded_powers__error (z : C) (t delta kappa : R) (n : nat) (w : C) : 0 <= kappa -> Cmod (z - on_circle t)%C <= delta -> computed z kappa n w ->
-  Cmod (w - on_circle (INR n * t))%C <= (1 + delta) ^ n * (1 + kappa) ^ (n - 1) - 1.
+Theorem rounded_powers__error z t delta kappa n w : 0 <= kappa -> Cmod (z - on_circle t)%C <= delta -> computed z kappa n w -> Cmod (w - on_circle
+  (INR n * t))%C <= (1 + delta) ^ n * (1 + kappa) ^ (n - 1) - 1.
 Proof.
   intros K D P. induction P as [|m n a b c Pa IHa Pb IHb Own].
   - replace (INR 1 * t) with t by (simpl; ring). simpl. lra.
@@ -50,15 +50,14 @@ Proof.
     + apply one_product with a b; assumption.
     + rewrite pow_add. replace (m + n - 1)%nat with (S ((m - 1) + (n - 1))) by lia. rewrite <- tech_pow_Rmult, pow_add. ring.
 Qed.
-Theorem rounded_powers__error__point : exists (z : C) (t delta kappa : R) (w : C), 0 <= kappa /\ Cmod (z - on_circle t)%C <= delta /\ computed z kappa 2 w.
+Theorem rounded_powers__error__point : exists z t delta kappa w, 0 <= kappa /\ Cmod (z - on_circle t)%C <= delta /\ computed z kappa 2 w.
 Proof.
   assert (N : forall z : C, Cmod (z - z)%C <= 0) by (intro z; replace (z - z)%C with (RtoC 0) by ring; rewrite Cmod_0; lra). exists (on_circle 0), 0,
     0, 0, (on_circle 0 * on_circle 0)%C. repeat split; [lra | apply N|].
   apply (product _ _ 1 1 (on_circle 0) (on_circle 0)); [apply itself | apply itself | rewrite Rmult_0_l; apply N].
 Qed.
 (* The base's error is not the power's: it grows with n. *)
-Theorem rounded_powers__error__false : ~ forall (z : C) (t delta kappa : R) (n : nat) (w : C), 0 <= kappa -> Cmod (z - on_circle t)%C <= delta ->
-  computed z kappa n w ->
+Theorem rounded_powers__error__false : ~ forall z t delta kappa n w, 0 <= kappa -> Cmod (z - on_circle t)%C <= delta -> computed z kappa n w ->
   Cmod (w - on_circle (INR n * t))%C <= delta + kappa.
 Proof.
   assert (U : on_circle 0 = RtoC 1) by (unfold on_circle; rewrite cos_0, sin_0; reflexivity). intro H. generalize (H (RtoC 2) 0 1 0 2%nat (RtoC 2 *
@@ -70,24 +69,24 @@ Proof.
 Qed.
 
 (* The printed claims. *)
-Lemma square_below (m x : R) : m - x >= 0 -> m + x >= 0 -> 0 <= m ^ 2 - x ^ 2.
+Lemma square_below m x : m - x >= 0 -> m + x >= 0 -> 0 <= m ^ 2 - x ^ 2.
 Proof. intros. replace (m ^ 2 - x ^ 2) with ((m - x) * (m + x)) by ring. apply Rmult_le_pos; lra. Qed.
-Lemma two_squares (m f s a b : R) : 0 <= m ^ 2 - f ^ 2 -> 0 <= m ^ 2 - s ^ 2 -> (f * a) ^ 2 + (s * b) ^ 2 <= m ^ 2 * (a ^ 2 + b ^ 2).
+Lemma two_squares m f s a b : 0 <= m ^ 2 - f ^ 2 -> 0 <= m ^ 2 - s ^ 2 -> (f * a) ^ 2 + (s * b) ^ 2 <= m ^ 2 * (a ^ 2 + b ^ 2).
 Proof. intros F S. generalize (Rmult_le_pos _ _ F (pow2_ge_0 a)) (Rmult_le_pos _ _ S (pow2_ge_0 b)). lra. Qed.
 Theorem rounded_powers__three_roundings_of_one : Statements.rounded_powers__three_roundings_of_one.
 Proof. claim. Qed.
 Theorem rounded_powers__square : Statements.rounded_powers__square.
 Proof.
-  red. intros e f i o1 o2 r s -> -> F F' S S'. assert (Ef := square_below e f F F'). assert (Es := square_below e s S S').
+  intros e f i o1 o2 r s -> -> F F' S S'. pose proof square_below e f F F' as Ef. pose proof square_below e s S S' as Es.
   repeat split; [ring | lra | lra |]. generalize (two_squares e f s ((r - i) * (i + r)) (2 * i * r) Ef Es).
   replace (((r - i) * (i + r)) ^ 2 + (2 * i * r) ^ 2) with ((i ^ 2 + r ^ 2) ^ 2) by ring. rewrite <- !Rmult_assoc. lra.
 Qed.
 Theorem rounded_powers__product : Statements.rounded_powers__product.
 Proof.
-  red. intros e f1 f4 i o1 o2 oi or r f2 f3 u U -> -> ->. set (m := u ^ 2 + 2 * u). intros. assert (0 <= m) by (unfold m; nra).
+  intros e f1 f4 i o1 o2 oi or r f2 f3 u U -> -> ->. set (m := u ^ 2 + 2 * u). intros. assert (0 <= m) by (unfold m; nra).
   assert (B : forall x, m - x >= 0 -> x + u ^ 2 + 2 * u >= 0 -> 0 <= m ^ 2 - x ^ 2) by (intros x P Q; apply square_below; [exact P | unfold m in *; lra]).
-  assert (B1 := B f1 ltac:(assumption) ltac:(assumption)). assert (B2 := B f2 ltac:(assumption) ltac:(assumption)).
-  assert (B3 := B f3 ltac:(assumption) ltac:(assumption)). assert (B4 := B f4 ltac:(assumption) ltac:(assumption)).
+  pose proof B f1 ltac:(assumption) ltac:(assumption) as B1. pose proof B f2 ltac:(assumption) ltac:(assumption) as B2.
+  pose proof B f3 ltac:(assumption) ltac:(assumption) as B3. pose proof B f4 ltac:(assumption) ltac:(assumption) as B4.
   assert (X : 2 * m ^ 2 * ((i * oi) ^ 2 + (or * r) ^ 2) >= (f1 * or * r - i * oi * f2) ^ 2).
   { generalize (two_squares m f1 f2 (or * r) (i * oi) B1 B2) (pow2_ge_0 (f1 * (or * r) + f2 * (i * oi))). lra. }
   assert (Y : 2 * m ^ 2 * ((i * or) ^ 2 + (oi * r) ^ 2) >= (f4 * i * or + f3 * oi * r) ^ 2).

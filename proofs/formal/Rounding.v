@@ -1,6 +1,6 @@
 (* The rounding error of the central difference. *)
 
-From Coq Require Import Reals Lra Psatz Lia ZArith.
+From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Relative Plus_error Mult_error Div_sqrt_error Pff2Flocq.
 From Formal Require Import Preliminaries Formulas Float Float64 Claim Clamped RoundedHalfTurns.
@@ -10,7 +10,8 @@ Open Scope R_scope.
 (* What a size says, both ways. *)
 (* What is left of a difference of two heights, each off, over the span s, times a factor. *)
 Lemma of_two_heights (argument evaluation excess growth mean plus minus steepest s d : R) : s > 0 ->
-  excess - (growth - 1) >= 0 -> excess + growth - 1 >= 0 -> argument * steepest + evaluation - plus >= 0 -> plus + argument * steepest + evaluation >= 0 ->
+  excess - (growth - 1) >= 0 -> excess + growth - 1 >= 0 -> argument * steepest + evaluation - plus >= 0 -> plus + argument * steepest +
+    evaluation >= 0 ->
   argument * steepest + evaluation - minus >= 0 -> minus + argument * steepest + evaluation >= 0 -> steepest - mean >= 0 -> mean + steepest >= 0 ->
   d = mean + (plus - minus) / s ->
   let each := argument * steepest + evaluation in let most := excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / s in
@@ -63,10 +64,10 @@ Proof.
   repeat split; try assumption; [lra | revert C | revert D]; apply (over_a_span (1 - unit)); lra.
 Qed.
 
-Lemma over_length (x e L : R) : 0 < L -> Rabs x <= e * L -> Rabs (x / L) <= e.
+Lemma over_length x e L : 0 < L -> Rabs x <= e * L -> Rabs (x / L) <= e.
 Proof. intros P X. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq L) by lra. apply Rmult_le_reg_r with L; [exact P|]. rewrite Rmult_assoc,
   Rinv_l, Rmult_1_r by lra. exact X. Qed.
-Lemma moved_by_at_most (h h1 : R -> R) (L a b : R) : (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
+Lemma moved_by_at_most h h1 (L a b : R) : derives_to h h1 -> (forall w, Rabs (h1 w) <= L) -> Rabs (h b - h a) <= L * Rabs (b - a).
 Proof. intros D B. apply (bounded_variation h h1). intros t _. split; [apply D | apply B]. Qed.
 (* What is 0 at 0 is at most L times its argument where its derivative is at most L. *)
 Lemma at_most_times (g h : R -> R) (L a r : R) : g 0 = 0 -> (forall t, - a <= t <= a -> is_derive g t (h t) /\ Rabs (h t) <= L) -> - a <= r <= a ->
@@ -82,19 +83,18 @@ Theorem roundoff_bound__of_any_height (h h1 : R -> R) (L a b S kappa eta alpha a
   Rabs ((h_a - h_b) / S * t - (h a - h b) / S) <= 2 * (eta + L * alpha) / S * (1 + kappa) + L * kappa.
 Proof.
   intros D B P AB T A1 A2 K1 K2. assert (E : forall x x' y, Rabs (x' - x) <= alpha -> Rabs (y - h x') <= eta -> Rabs (y - h x) <= eta + L * alpha).
-  { intros x x' y X Y. apply through with (h x'); [exact Y|]. eapply Rle_trans; [exact (moved_by_at_most h h1 L x x' D B)|]. apply Rmult_le_compat_l;
-    [eapply Rle_trans; [apply Rabs_pos | apply (B 0)] | exact X]. }
-  assert (E1 := E _ _ _ A1 K1). assert (E2 := E _ _ _ A2 K2). both_ways E1. both_ways E2. replace (_ - _) with ((h_a - h a - (h_b - h b)) / S * t + (h
+  { intros x x' y X Y. apply through with (h x'); [exact Y|]. at_most_by (moved_by_at_most h h1 L x x' D B). apply Rmult_le_compat_l;
+    [at_most_by Rabs_pos; apply (B 0) | exact X]. }
+  pose proof E _ _ _ A1 K1 as E1. pose proof E _ _ _ A2 K2 as E2. both_ways E1. both_ways E2. replace (_ - _) with ((h_a - h a - (h_b - h b)) / S * t + (h
     a - h b) / S * (t - 1)) by (field; lra).
-  eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult. apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; try apply over_length;
+  at_most_by Rabs_triang. rewrite !Rabs_mult. apply Rplus_le_compat; factors; try apply over_length;
     try assumption.
   - replace (_ / S * S) with (2 * (eta + L * alpha)) by (field; lra). apply Rabs_le. lra.
   - both_ways T. apply Rabs_le. lra.
   - rewrite <- AB, <- (Rabs_pos_eq (a - b)) by lra. exact (moved_by_at_most h h1 L b a D B).
 Qed.
-Theorem roundoff_bound__of_any_height__false : ~ forall (h h1 : R -> R) (L a b S kappa t : R), (forall w, is_derive h w (h1 w)) -> (forall w, Rabs (h1
-  w) <= L) -> 0 < S -> a - b = S ->
-  Rabs (t - 1) <= kappa -> Rabs ((h a - h b) / S * t - (h a - h b) / S) <= 0.
+Theorem roundoff_bound__of_any_height__false : ~ forall h h1 (L a b S kappa t : R), derives_to h h1 -> (forall w, Rabs (h1 w) <= L) -> 0 < S -> a
+  - b = S -> Rabs (t - 1) <= kappa -> Rabs ((h a - h b) / S * t - (h a - h b) / S) <= 0.
 Proof.
   intro H. generalize (H (fun w => w) (fun _ => 1) 1 1 0 1 1 2 ltac:(intro; auto_derive; trivial) ltac:(intro; cbv beta; rewrite Rabs_R1; lra)
     ltac:(lra) ltac:(lra)).
@@ -104,21 +104,21 @@ Qed.
 (* Float64 *)
 
 (* The standard model: an operation that does not underflow is exact but for a factor 1 + d, |d| <= 2^-53. *)
-Lemma standard_model (x : R) : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
+Lemma standard_model x : bpow radix2 (-1022) <= Rabs x -> exists d, Rabs d <= unit_roundoff /\ rounded x = x * (1 + d).
 Proof. intro H. apply (relative_error_N_FLT_ex radix2 (-1074) 53); [easy | exact H]. Qed.
 
 (* The sum and the difference of two float64 numbers need no such condition. *)
-Lemma rounded_sum (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a + b) = (a + b) * (1 + d).
+Lemma rounded_sum a b : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a + b) = (a + b) * (1 + d).
 Proof.
-  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a b A B) as (d & D & E). exists d. split; [|exact E]. eapply
-    Rle_trans; [exact D | unfold u_ro; simpl; lra].
+  intros A B. destruct (FLT_plus_error_N_ex radix2 (-1074) 53 (fun n => negb (Z.even n)) a b A B) as (d & D & E). exists d. split; [|exact E].
+    at_most_by D; unfold u_ro; simpl; lra.
 Qed.
-Lemma rounded_difference (a b : R) : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
+Lemma rounded_difference a b : float64 a -> float64 b -> exists d, Rabs d <= unit_roundoff /\ rounded (a - b) = (a - b) * (1 + d).
 Proof. intros A B. destruct (rounded_sum a (- b) A (generic_format_opp _ _ _ B)) as (d & D & E). exists d. split; [unfold unit_roundoff; simpl; lra |
   exact E]. Qed.
 
 (* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
-Theorem elementary_functions__two_product (a b : R) : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
+Theorem elementary_functions__two_product a b : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
   two_product_float64.product a b + two_product_float64.product_error a b = a * b.
 Proof.
   intros A B U. etransitivity;
@@ -134,24 +134,24 @@ Proof.
     two_product_float64.product. ring.
 Qed.
 
-Lemma float64_is_whole (x : R) : float64 x -> exists m : Z, x = IZR m * bpow radix2 (-1074).
+Lemma float64_is_whole x : float64 x -> exists m : Z, x = IZR m * bpow radix2 (-1074).
 Proof. intro F. apply generic_format_FIX_FLT, FIX_format_generic in F. destruct F as [[m e] -> E]. exists m. rewrite <- E. reflexivity. Qed.
-Lemma not_negative_rounded (x : R) : 0 <= x -> 0 <= rounded x.
+Lemma not_negative_rounded x : 0 <= x -> 0 <= rounded x.
 Proof. intro P. rewrite <- rounded_0. apply round_le; [typeclasses eauto..| exact P]. Qed.
-Lemma rounded_is_float64 (x : R) : float64 (rounded x).
+Lemma rounded_is_float64 x : float64 (rounded x).
 Proof. apply generic_format_round; typeclasses eauto. Qed.
-Lemma whole_is_float64 (n e : Z) : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
+Lemma whole_is_float64 n e : (Z.abs n < 2 ^ 53)%Z -> (-1074 <= e)%Z -> float64 (IZR n * bpow radix2 e).
 Proof. intros N E. apply generic_format_FLT. exists (Float radix2 n e); [reflexivity | exact N | exact E]. Qed.
 Lemma one_is_float64 : float64 1.
 Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 0). easy. Qed.
 Lemma two_is_float64 : float64 2.
 Proof. apply (generic_format_bpow radix2 (FLT_exp (-1074) 53) 1). easy. Qed.
-Lemma kept (x : R) : float64 x -> rounded x = x.
+Lemma kept x : float64 x -> rounded x = x.
 Proof. intro F. apply round_generic; [typeclasses eauto | exact F]. Qed.
 (* A float64's whole part is one, by any rule; and what is left of it by the nearest multiple of another. *)
-Lemma whole_part_is_float64 (part : R -> Z) (x : R) : Valid_rnd part -> float64 x -> float64 (IZR (part x)).
+Lemma whole_part_is_float64 part x : Valid_rnd part -> float64 x -> float64 (IZR (part x)).
 Proof. intros V F. rewrite <- round_FIX_IZR. apply generic_round_generic; [typeclasses eauto..| exact F]. Qed.
-Lemma what_is_left_is_float64 (x y : R) : float64 x -> float64 y -> float64 (x - rint (x / y) * y).
+Lemma what_is_left_is_float64 x y : float64 x -> float64 y -> float64 (x - rint (x / y) * y).
 Proof. apply format_REM_N; typeclasses eauto. Qed.
 Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b +
   two_product_float64.product_error a b = a * b.

@@ -2,10 +2,9 @@
    printed programs, or about limits and derivatives; its false variant is the refutation of the statement put right:
    that one holds, so ~ ~ (statement put right). *)
 
-From Coq Require Import Reals Lra Lia Psatz.
+From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Camera Claim.
-From Formal Require Statements.
+From Formal Require Import Preliminaries Formulas Camera Claim Fields.
 Open Scope R_scope.
 
 Theorem seed_quadratic_of_b__constant : Statements.seed_quadratic_of_b__constant.
@@ -116,13 +115,6 @@ Proof. intro F. generalize (F (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra)). rewrite
 Theorem seed_truncation_slope__descends : Statements.seed_truncation_slope__descends.
 Proof. intro F. generalize (F (1 / 2) 1 ltac:(lra) ltac:(lra)). rewrite Rabs_Ropp, Rabs_R1. lra. Qed.
 
-Lemma whole_part (x : R) (m : Z) : IZR m <= x < IZR m + 1 -> IZR (Int_part x) = IZR m.
-Proof.
-  intros H. f_equal. destruct (base_Int_part x) as [A B].
-  assert (Int_part x < m + 1)%Z by (apply lt_IZR; rewrite plus_IZR; lra).
-  assert (m < Int_part x + 1)%Z by (apply lt_IZR; rewrite plus_IZR; lra). lia.
-Qed.
-
 Theorem ridges_differentiable__one_slope : Statements.ridges_differentiable__one_slope.
 Proof.
   intro F. generalize (F 8 4 (1 / 4) (1 / 8)). replace (1 / 4 * PI * 8) with (2 * PI) by field.
@@ -147,8 +139,8 @@ Proof.
   - eapply ex_derive_ext_loc; [| exact F]. exists (mkposreal 1 Rlt_0_1). intros t B. change (Rabs (t - 0) < 1) in B.
     rewrite Rminus_0_r in B. apply Rabs_lt_between in B. unfold height_sine.h. rewrite half_sine, Rmult_1_r, Rmult_1_l.
     destruct (Rle_lt_dec 0 t) as [P | M].
-    + rewrite (whole_part t 0) by lra. rewrite Rminus_0_r, Rabs_pos_eq; [reflexivity |]. apply sin_ge_0; nra.
-    + rewrite (whole_part t (-1)) by lra. replace (PI * (t - -1)) with (PI * t + PI) by ring.
+    + rewrite (floor_is 0 t) by lra. rewrite Rminus_0_r, Rabs_pos_eq; [reflexivity |]. apply sin_ge_0; nra.
+    + rewrite (floor_is (-1) t) by lra. replace (PI * (t - -1)) with (PI * t + PI) by ring.
       rewrite neg_sin, Rabs_left1;
         [reflexivity |]. replace (PI * t) with (- (PI * - t)) by ring. rewrite sin_neg.
       pose proof (sin_ge_0 (PI * - t)). nra.

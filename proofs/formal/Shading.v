@@ -1,16 +1,16 @@
 (* The light models: how the colour depends on the bumped normal. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Formal Require Import Preliminaries Formulas Vectors Fields Bump Claim.
+From Formal Require Import Formulas Vectors Bump Claim.
 From Formal Require Statements.
 Open Scope R_scope.
 
-Lemma last_squared (x y z : R) : z * z + x * x + y * y = 1 -> z ^ 2 = 1 - x ^ 2 - y ^ 2.
+Lemma last_squared x y z : z * z + x * x + y * y = 1 -> z ^ 2 = 1 - x ^ 2 - y ^ 2.
 Proof. lra. Qed.
 Theorem specular_lipschitz__along_a_direction : Statements.specular_lipschitz__along_a_direction.
 Proof.
-  red. intros a mx my mz nx ny nz ox oy oz A G U. set (w := oz * (nz - mz) + ox * (nx - mx) + oy * (ny - my)).
+  intros a mx my mz nx ny nz ox oy oz A G U. set (w := oz * (nz - mz) + ox * (nx - mx) + oy * (ny - my)).
   assert (S : a ^ 2 - w ^ 2 = (ox * (ny - my) - oy * (nx - mx)) ^ 2 + (oy * (nz - mz) - oz * (ny - my)) ^ 2 + (oz * (nx - mx) - ox * (nz - mz)) ^ 2).
   { rewrite G. unfold w. ring [(last_squared _ _ _ U)]. }
   assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; sum_of_squares). assert (- a <= w <= a) by (clear - A D; split; nra).
@@ -20,15 +20,16 @@ Theorem specular_lipschitz__clamps : Statements.specular_lipschitz__clamps.
 Proof. red. intros. unfold Rabs, Rmax, Rmin. repeat destruct Rle_dec; destruct Rcase_abs; lra. Qed.
 Theorem specular_lipschitz__blinn : Statements.specular_lipschitz__blinn.
 Proof.
-  red. intros. match goal with L : halfway_length ^ 2 = _ |- _ => rewrite <- L end. repeat split; [lra | apply pow_nonzero; lra | field; lra | field; lra].
+  red. intros. match goal with L : halfway_length ^ 2 = _ |- _ => rewrite <- L end. repeat split; [lra | apply pow_nonzero; lra | field; lra |
+    field; lra].
 Qed.
 Theorem specular_lipschitz__gram : Statements.specular_lipschitz__gram.
 Proof.
-  red. intros mx my mz nx ny nz ox oy oz N M O. ring [(last_squared _ _ _ N) (last_squared _ _ _ M) (last_squared _ _ _ O)].
+  intros mx my mz nx ny nz ox oy oz N M O. ring [(last_squared _ _ _ N) (last_squared _ _ _ M) (last_squared _ _ _ O)].
 Qed.
 Theorem specular_lipschitz__twice : Statements.specular_lipschitz__twice.
 Proof.
-  red. intros a d b c t D G T A. assert (4 * d ^ 2 >= t ^ 2) by (rewrite T, A; assert (0 <= (1 - c) ^ 2) by apply pow2_ge_0; lra). split; [assumption | nra].
+  intros a d b c t D G T A. assert (4 * d ^ 2 >= t ^ 2) by (rewrite T, A; assert (0 <= (1 - c) ^ 2) by apply pow2_ge_0; lra). split; [assumption | nra].
 Qed.
 Theorem specular_lipschitz__no_state_is_negative : Statements.specular_lipschitz__no_state_is_negative.
 Proof. red. intros. repeat split; nra. Qed.
@@ -36,7 +37,7 @@ Theorem specular_lipschitz__power : Statements.specular_lipschitz__power.
 Proof. red. intros. assert (power_ >= quotient) by nra. repeat split; nra. Qed.
 Theorem specular_lipschitz__factors : Statements.specular_lipschitz__factors.
 Proof.
-  red. intros x z ox oz p q g bx bz X0 X Z0 Z P0 P Q0 Q G0 G BX0 BX BZ0 BZ n.
+  intros x z ox oz p q g bx bz X0 X Z0 Z P0 P Q0 Q G0 G BX0 BX BZ0 BZ n.
   induction n as [|n (A & B & C)]; [rewrite X0, Z0, P0, Q0, G0, BX0, BZ0; repeat split; ring|].
   rewrite X, Z, P, Q, G, BX, BZ. repeat split; [|lra|].
   - replace (ox n) with (oz n + q n * (x - z)) by lra. ring.
@@ -44,16 +45,17 @@ Proof.
 Qed.
 Theorem specular_lipschitz__mirror : Statements.specular_lipschitz__mirror.
 Proof.
-  red. intros mx my mz nx ny nz ox oy oz vx vy vz N M. repeat split; ring [(last_squared _ _ _ N) (last_squared _ _ _ M)].
+  intros mx my mz nx ny nz ox oy oz vx vy vz N M. repeat split; ring [(last_squared _ _ _ N) (last_squared _ _ _ M)].
 Qed.
 Theorem squared_highlight__base : Statements.squared_highlight__base.
 Proof.
-  red. intros a l k d s b S L A. subst a. transitivity (b ^ 2 * (k * d * s)); [rewrite <- L; ring | rewrite S; ring].
+  intros a l k d s b S L A. subst a. transitivity (b ^ 2 * (k * d * s)); [rewrite <- L; ring | rewrite S; ring].
 Qed.
 Theorem squared_highlight__halfway : Statements.squared_highlight__halfway.
 Proof.
   red. intros. assert (distance_squared >= 0) by sum_of_squares.
-  change (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) with distance_squared in *. change light_distance_plain with light_distance in *.
+  change (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) with distance_squared in *. change light_distance_plain with
+    light_distance in *.
   repeat split; try assumption; try (apply Rgt_not_eq; assumption); lines; field; apply Rgt_not_eq; assumption.
 Qed.
 Theorem squared_highlight__opposite : Statements.squared_highlight__opposite.
@@ -78,7 +80,7 @@ Proof.
 Qed.
 
 (* For every whole p, x^p is Lipschitz with p on [0, 1]: by induction. *)
-Theorem specular_lipschitz__whole_power (p : nat) (a b : R) : 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= INR p * Rabs (a - b).
+Theorem specular_lipschitz__whole_power p a b : 0 <= a <= 1 -> 0 <= b <= 1 -> Rabs (a ^ p - b ^ p) <= INR p * Rabs (a - b).
 Proof.
   intros A B. induction p as [|p IH]; [simpl; rewrite Rminus_diag_eq, Rabs_R0 by reflexivity; lra|].
   replace (a ^ S p - b ^ S p) with (a * (a ^ p - b ^ p) + b ^ p * (a - b)) by (simpl; ring).
@@ -87,15 +89,15 @@ Proof.
   generalize (Rabs_pos (a ^ p - b ^ p)) (Rabs_pos (a - b)). nra.
 Qed.
 
-Theorem specular_lipschitz__whole_power__point : exists x z : R, 0 <= x <= 1 /\ 0 <= z <= 1.
+Theorem specular_lipschitz__whole_power__point : exists x z, 0 <= x <= 1 /\ 0 <= z <= 1.
 Proof. exists 0, 1. lra. Qed.
-Theorem specular_lipschitz__whole_power__false : ~ forall (p : nat) x z, Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
+Theorem specular_lipschitz__whole_power__false : ~ forall p x z, Rabs (x ^ p - z ^ p) <= INR p * Rabs (x - z).
 Proof. intro H. generalize (H 2%nat 2 1). rewrite !Rabs_pos_eq; simpl; lra. Qed.
 
-Lemma clamp_is_lipschitz (a b : R) : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
+Lemma clamp_is_lipschitz a b : Rabs (Rmax 0 a - Rmax 0 b) <= Rabs (a - b).
 Proof. unfold Rmax, Rabs. destruct (Rle_dec 0 a), (Rle_dec 0 b); repeat destruct Rcase_abs; lra. Qed.
 
-Lemma dot_is_lipschitz (n m w : vector) : magnitude w = 1 -> Rabs (dot n w - dot m w) <= magnitude (difference n m).
+Lemma dot_is_lipschitz n m w : magnitude w = 1 -> Rabs (dot n w - dot m w) <= magnitude (difference n m).
 Proof.
   intro W. replace (dot n w - dot m w) with (dot (difference n m) w) by (unfold difference; rewrite dot_sum, dot_scaled; ring).
   destruct (cauchy_schwarz (difference n m) w) as [A B]. rewrite W in A, B. apply Rabs_le. lra.
@@ -104,37 +106,34 @@ Qed.
 (* The models' numbers at a point P lit from L and seen along v: mu and the highlight's base, as functions of N'. *)
 Section models.
 Variables P L v : vector.
-Definition mu (n : vector) : R :=
-  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in light_direction.mu px py pz lx ly lz x y z.
-Definition blinn_base (n : vector) : R :=
-  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
+Definition mu (n : vector) := let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in light_direction.mu px py pz lx ly lz x y
+  z.
+Definition blinn_base (n : vector) := let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
   blinn.specular_base px py pz lx ly lz x y z vx vy vz.
-Definition phong_base (n : vector) : R :=
-  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
+Definition phong_base (n : vector) := let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
   phong.specular_base px py pz lx ly lz x y z vx vy vz.
 Definition omega : vector := scaled (/ magnitude (difference L P)) (difference L P).
 End models.
 
-Lemma difference_is (x y z px py pz : R) : difference (x, y, z) (px, py, pz) = (x - px, y - py, z - pz).
+Lemma difference_is x y z px py pz : difference (x, y, z) (px, py, pz) = (x - px, y - py, z - pz).
 Proof. unfold difference, vector_sum, scaled. f_equal; [f_equal|]; ring. Qed.
-Lemma dot_itself (x y z : R) : dot (x, y, z) (x, y, z) = x ^ 2 + y ^ 2 + z ^ 2.
+Lemma dot_itself x y z : dot (x, y, z) (x, y, z) = x ^ 2 + y ^ 2 + z ^ 2.
 Proof. unfold dot. ring. Qed.
 Ltac coordinates := repeat match goal with a : vector |- _ => destruct a as [[? ?] ?] end.
-Lemma mu_is_a_product (P L n : vector) : mu P L n = dot n (omega P L).
+Lemma mu_is_a_product P L n : mu P L n = dot n (omega P L).
 Proof.
   coordinates.
   unfold mu, omega, magnitude; light_direction.lines. rewrite difference_is, dot_itself. reflexivity.
 Qed.
-Lemma direction_is_unit (a : vector) : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
+Lemma direction_is_unit a : 0 < magnitude a -> magnitude (scaled (/ magnitude a) a) = 1.
 Proof. intro H. rewrite length_scaled, Rabs_pos_eq by (left; apply Rinv_0_lt_compat, H). apply Rinv_l. lra. Qed.
 
 (* mu is Lipschitz with 1 in N'. *)
-Lemma mu_is_lipschitz (P L n m : vector) : 0 < magnitude (difference L P) ->
-  Rabs (mu P L n - mu P L m) <= magnitude (difference n m).
+Lemma mu_is_lipschitz P L n m : 0 < magnitude (difference L P) -> Rabs (mu P L n - mu P L m) <= magnitude (difference n m).
 Proof. intro H. rewrite !mu_is_a_product. apply dot_is_lipschitz, direction_is_unit, H. Qed.
 
-Lemma blinn_base_is (P L v n : vector) : let k := vector_sum (omega P L) v in
-  blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/ magnitude k) k)) else 0.
+Lemma blinn_base_is P L v n : let k := vector_sum (omega P L) v in blinn_base P L v n = if Rlt_dec 0 (magnitude k) then Rmax 0 (dot n (scaled (/
+  magnitude k) k)) else 0.
 Proof.
   cbv zeta. coordinates.
   unfold blinn_base, omega, magnitude; blinn.lines. rewrite difference_is, dot_itself. unfold vector_sum, scaled. rewrite dot_itself.
@@ -142,14 +141,14 @@ Proof.
 Qed.
 
 (* Blinn's base is Lipschitz with 1. *)
-Lemma blinn_base_is_lipschitz (P L v n m : vector) : Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m).
+Lemma blinn_base_is_lipschitz P L v n m : Rabs (blinn_base P L v n - blinn_base P L v m) <= magnitude (difference n m).
 Proof.
   rewrite !blinn_base_is. destruct (Rlt_dec _ _) as [H|H].
   - eapply Rle_trans; [apply clamp_is_lipschitz|]. apply dot_is_lipschitz, direction_is_unit, H.
   - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. apply length_nonneg.
 Qed.
 
-Lemma phong_base_is (P L v n : vector) : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
+Lemma phong_base_is P L v n : phong_base P L v n = Rmax 0 (2 * dot n (omega P L) * dot n v - dot (omega P L) v).
 Proof.
   rewrite <- mu_is_a_product. coordinates.
   unfold phong_base, mu, omega, magnitude; phong.lines; light_direction.lines. rewrite difference_is, dot_itself. unfold dot, scaled. f_equal. ring.
@@ -166,13 +165,15 @@ Ltac expand_dots :=
 
 (* w, mirrored at the unit vector n: at two of them it differs by at most twice their difference. *)
 Definition reflected (w n : vector) : vector := difference (scaled (2 * dot n w) n) w.
-Lemma reflected_product (w n v : vector) : dot (reflected w n) v = 2 * dot n w * dot n v - dot w v.
+Lemma reflected_product w n v : dot (reflected w n) v = 2 * dot n w * dot n v - dot w v.
 Proof. unfold reflected. expand_dots. ring. Qed.
-Lemma reflected_apart (n m w : vector) : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 ->
-  magnitude (difference (reflected w n) (reflected w m)) <= 2 * magnitude (difference n m).
+Lemma reflected_apart n m w : magnitude n = 1 -> magnitude m = 1 -> magnitude w = 1 -> magnitude (difference (reflected w n) (reflected w m)) <= 2
+  * magnitude (difference n m).
 Proof.
-  assert (U : forall a, magnitude a = 1 -> dot a a = 1) by (intros a A; rewrite <- length_squared, A; ring). intros N M W. apply U in N, M, W. apply Rge_le.
-  apply (specular_lipschitz__twice (dot n w) (magnitude (difference n m)) (dot m w) (dot n m)); [apply Rle_ge, length_nonneg | | |]; rewrite ?length_squared.
+  assert (U : forall a, magnitude a = 1 -> dot a a = 1) by (intros a A; rewrite <- length_squared, A; ring). intros N M W. apply U in N, M, W.
+    apply Rge_le.
+  apply (specular_lipschitz__twice (dot n w) (magnitude (difference n m)) (dot m w) (dot n m)); [apply Rle_ge, length_nonneg | | |]; rewrite
+    ?length_squared.
   - apply Rle_ge. destruct n as [[nx ny] nz], m as [[mx my] mz], w as [[wx wy] wz]. unfold dot in *.
     eapply Rle_trans; [apply pow2_ge_0 | right; etransitivity; [apply (specular_lipschitz__gram mx my mz nx ny nz wx wy wz); lra | ring]].
   - unfold reflected. expand_dots. rewrite (dot_comm w n), (dot_comm w m), (dot_comm m n), N, M, W. ring.
@@ -180,22 +181,22 @@ Proof.
 Qed.
 
 (* Phong's base is Lipschitz with 2, between unit normals. *)
-Lemma phong_base_is_lipschitz (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
-  Rabs (phong_base P L v n - phong_base P L v m) <= 2 * magnitude (difference n m).
+Lemma phong_base_is_lipschitz P L v n m : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 -> Rabs
+  (phong_base P L v n - phong_base P L v m) <= 2 * magnitude (difference n m).
 Proof.
   intros H Hn Hm Hv. rewrite !phong_base_is, <- !reflected_product. eapply Rle_trans; [apply clamp_is_lipschitz|].
   eapply Rle_trans; [apply dot_is_lipschitz, Hv | apply reflected_apart; trivial]. apply direction_is_unit, H.
 Qed.
 
 (* Both bases lie in [0, 1] for unit normals. *)
-Lemma product_of_units (n w : vector) : magnitude n = 1 -> magnitude w = 1 -> -1 <= dot n w <= 1.
+Lemma product_of_units n w : magnitude n = 1 -> magnitude w = 1 -> -1 <= dot n w <= 1.
 Proof. intros N W. destruct (cauchy_schwarz n w) as [A B]. rewrite N, W in *. lra. Qed.
-Lemma blinn_base_in_unit (P L v n : vector) : magnitude n = 1 -> 0 <= blinn_base P L v n <= 1.
+Lemma blinn_base_in_unit P L v n : magnitude n = 1 -> 0 <= blinn_base P L v n <= 1.
 Proof.
   intro N. rewrite blinn_base_is. destruct (Rlt_dec _ _) as [H|H]; [|lra]. generalize (product_of_units n _ N (direction_is_unit _ H)).
   unfold Rmax. destruct (Rle_dec _ _); lra.
 Qed.
-Lemma phong_base_in_unit (P L v n : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude v = 1 -> 0 <= phong_base P L v n <= 1.
+Lemma phong_base_in_unit P L v n : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude v = 1 -> 0 <= phong_base P L v n <= 1.
 Proof.
   intros H N V. rewrite phong_base_is. generalize (direction_is_unit _ H). fold (omega P L). intro W.
   assert (R : magnitude (reflected (omega P L) n) = 1).
@@ -204,11 +205,9 @@ Proof.
 Qed.
 
 (* mu is Lipschitz with 1 in N', and the highlight base^p with p (Blinn) and 2p (Phong), for every whole p. *)
-Theorem specular_lipschitz__highlight (p : nat) (P L v n m : vector) : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 ->
-  magnitude v = 1 ->
-  Rabs (mu P L n - mu P L m) <= magnitude (difference n m) /\
-  Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * magnitude (difference n m) /\
-  Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * magnitude (difference n m).
+Theorem specular_lipschitz__highlight p P L v n m : 0 < magnitude (difference L P) -> magnitude n = 1 -> magnitude m = 1 -> magnitude v = 1 ->
+  Rabs (mu P L n - mu P L m) <= magnitude (difference n m) /\ Rabs (blinn_base P L v n ^ p - blinn_base P L v m ^ p) <= INR p * magnitude
+  (difference n m) /\ Rabs (phong_base P L v n ^ p - phong_base P L v m ^ p) <= 2 * INR p * magnitude (difference n m).
 Proof.
   intros H Hn Hm Hv. generalize (pos_INR p). intro I. split; [apply mu_is_lipschitz, H | split].
   - eapply Rle_trans; [apply specular_lipschitz__whole_power; apply blinn_base_in_unit; assumption|]. apply Rmult_le_compat_l; [exact I | apply
@@ -226,14 +225,13 @@ Qed.
 (* The error of a colour *)
 
 (* A light's share of a channel. *)
-Definition share (model : vector -> R) (P L : vector) (i albedo kd ks : R) (p : nat) (n : vector) : R :=
-  light_term.lit_red 0 i albedo kd ks (mu P L n) (model n ^ p).
+Definition share (model : vector -> R) (P L : vector) (i albedo kd ks : R) (p : nat) (n : vector) := light_term.lit_red 0 i albedo kd ks (mu P L
+  n) (model n ^ p).
 
 (* It moves by at most i (a k_d + k_s q) |N'_1 - N'_2| where base^p is Lipschitz with q. *)
-Theorem difference_bound__light (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat) :
-  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P) ->
-  Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
-  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd + ks * q) * magnitude (difference n m).
+Theorem difference_bound__light model P L n m i albedo kd ks q p : 0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P)
+  -> Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) -> Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd
+  ks p m) <= i * (albedo * kd + ks * q) * magnitude (difference n m).
 Proof.
   intros I A D S H Q. unfold share; light_term.lines.
   set (x := Rmax 0 (mu P L n)). set (y := Rmax 0 (mu P L m)).
@@ -242,33 +240,33 @@ Proof.
   replace (_ - _) with (i * (albedo * kd * (x - y) + ks * (model n ^ p - model m ^ p))) by ring.
   rewrite Rabs_mult, (Rabs_pos_eq i), (Rmult_assoc i (albedo * kd + ks * q)) by exact I. apply Rmult_le_compat_l; [exact I|].
   eapply Rle_trans; [apply Rabs_triang|]. rewrite !Rabs_mult, (Rabs_pos_eq albedo), (Rabs_pos_eq kd), (Rabs_pos_eq ks) by assumption.
-  assert (albedo * kd * Rabs (x - y) <= albedo * kd * magnitude (difference n m)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption | exact M]).
+  assert (albedo * kd * Rabs (x - y) <= albedo * kd * magnitude (difference n m)) by (apply Rmult_le_compat_l; [apply Rmult_le_pos; assumption |
+    exact M]).
   assert (ks * Rabs (model n ^ p - model m ^ p) <= ks * (q * magnitude (difference n m))) by (apply Rmult_le_compat_l; assumption). lra.
 Qed.
 (* The lines of green and blue are red's. *)
-Theorem difference_bound__channels (colour i albedo kd ks mu specular : R) :
-  light_term.lit_green colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu specular /\
-  light_term.lit_blue colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu specular.
+Theorem difference_bound__channels colour i albedo kd ks mu specular : light_term.lit_green colour i albedo kd ks mu specular = light_term.lit_red
+  colour i albedo kd ks mu specular /\ light_term.lit_blue colour i albedo kd ks mu specular = light_term.lit_red colour i albedo kd ks mu
+  specular.
 Proof. unfold light_term.lit_green, light_term.lit_blue, light_term.lit_red. split; ring. Qed.
 Theorem difference_bound__channels__false : ~ forall c c' i a kd ks mu s, light_term.lit_green c i a kd ks mu s = light_term.lit_red c' i a kd ks mu s.
 Proof. intro H. generalize (H 0 1 0 0 0 0 0 0). unfold light_term.lit_green, light_term.lit_red. lra. Qed.
 (* The clip adds nothing. *)
-Lemma difference_bound_clip (a b : R) : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
+Lemma difference_bound_clip a b : Rabs (clip.clipped a - clip.clipped b) <= Rabs (a - b).
 Proof.
   unfold clip.clipped. eapply Rle_trans; [|apply clamp_is_lipschitz]. unfold Rmin, Rabs. repeat destruct Rle_dec; repeat destruct Rcase_abs; lra.
 Qed.
-Theorem difference_bound__light__point : exists i a d s : R, 0 <= i /\ 0 <= a /\ 0 <= d /\ 0 <= s.
+Theorem difference_bound__light__point : exists i a d s, 0 <= i /\ 0 <= a /\ 0 <= d /\ 0 <= s.
 Proof. exists 1, 1, 1, 1. lra. Qed.
 
 (* The squared highlight *)
 
 Section squared.
 Variables P L v n : vector.
-Definition mu_squared : R :=
-  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.mu px py pz lx ly lz x y z vx vy vz.
-Definition base_squared : R :=
-  let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.specular_base px py pz lx ly lz x
-    y z vx vy vz.
+Definition mu_squared := let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in blinn_squared.mu px
+  py pz lx ly lz x y z vx vy vz.
+Definition base_squared := let '(px, py, pz) := P in let '(lx, ly, lz) := L in let '(x, y, z) := n in let '(vx, vy, vz) := v in
+  blinn_squared.specular_base px py pz lx ly lz x y z vx vy vz.
 Let d := difference L P.
 Let k := vector_sum d (scaled (magnitude d) v).
 Let s := / (magnitude d * dot k k).
@@ -295,7 +293,8 @@ Proof.
     h)), (dot_comm n), !dot_scaled.
     assert (F : forall p x, 0 < p -> Rmax 0 (p * x) = p * Rmax 0 x) by (intros p x X; rewrite <- (Rmult_0_r p) at 1; apply RmaxRmult; lra).
     rewrite !F by (exact D || apply Rinv_0_lt_compat, S0). field. lra. }
-  assert (M : mu P L n = dot n d * dot k k * s) by (rewrite mu_is_a_product; unfold omega, s; fold d; rewrite dot_comm, dot_scaled, (dot_comm d); field; lra).
+  assert (M : mu P L n = dot n d * dot k k * s) by (rewrite mu_is_a_product; unfold omega, s; fold d; rewrite dot_comm, dot_scaled, (dot_comm d);
+    field; lra).
   rewrite M, B. repeat split. intro N. rewrite Rmax_right by exact N. reflexivity.
 Qed.
 End squared.
@@ -330,9 +329,9 @@ Proof.
     (Rmax_left 0 (2 * _ * _ - _)) by lra.
   rewrite Rabs_pos_eq by lra. nra.
 Qed.
-Theorem difference_bound__light__false : ~ forall (model : vector -> R) (P L n m : vector) (i albedo kd ks q : R) (p : nat),
-  0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude (difference L P) -> Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) ->
-  Rabs (share model P L i albedo kd ks p n - share model P L i albedo kd ks p m) <= i * (albedo * kd) * magnitude (difference n m).
+Theorem difference_bound__light__false : ~ forall model P L n m i albedo kd ks q p, 0 <= i -> 0 <= albedo -> 0 <= kd -> 0 <= ks -> 0 < magnitude
+  (difference L P) -> Rabs (model n ^ p - model m ^ p) <= q * magnitude (difference n m) -> Rabs (share model P L i albedo kd ks p n - share model
+  P L i albedo kd ks p m) <= i * (albedo * kd) * magnitude (difference n m).
 Proof.
   intro H. generalize (H snd (0, 0, 0) (0, 0, 1) (0, 0, 1) (0, 0, 0) 1 0 0 1 1 1%nat ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(rewrite
     above_apart; lra)). rewrite above_apart.

@@ -1,6 +1,6 @@
 (* Shadows: the test by signs, its conics on the floor, its degree along a row, and the bodies that cast none. *)
 
-From Coq Require Import Reals Lra Lia Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Camera Claim Outlines Derivatives.
 From Formal Require Statements.
@@ -18,8 +18,8 @@ Lemma root_between a b c d : 0 <= a -> 0 < c -> 0 < a - 2 * b + c -> d = b ^ 2 -
   (exists s, 0 < s < 1 /\ a * s ^ 2 - 2 * b * s + c = 0) <-> (0 <= d /\ 0 < b < a).
 Proof.
   intros A C E D. split.
-  - intros (s & [S0 S1] & Q). assert (V := Rmult_le_pos _ _ A (pow2_ge_0 s)).
-    assert (W := Rmult_le_pos _ _ A (pow2_ge_0 (1 - s))).
+  - intros (s & [S0 S1] & Q). pose proof Rmult_le_pos _ _ A (pow2_ge_0 s) as V.
+    pose proof Rmult_le_pos _ _ A (pow2_ge_0 (1 - s)) as W.
     assert (0 < b) by (apply (Rmult_lt_reg_r s); lra). assert (b < a) by (apply (Rmult_lt_reg_r (1 - s)); lra).
     assert (d = (a * s - b) ^ 2) 
       by (replace ((a * s - b) ^ 2) with (b ^ 2 - a * c + a * (a * s ^ 2 - 2 * b * s + c)) by ring; rewrite Q, D; ring).
@@ -32,24 +32,19 @@ Qed.
 (* |P + s a - C|^2 - r^2 = |a|^2 s^2 - 2 (a.w) s + |w|^2 - r^2, with a = L - P, w = C - P: a quadratic whose
    discriminant
    is the program's. *)
-Lemma occlusion_by_signs_quadratic (s px py pz lx ly lz cx cy cz r : R) :
-  let a2 := shadow.segment_squared px py pz lx ly lz in
-  let aw := shadow.toward_center px py pz lx ly lz cx cy cz in
-  a2 = dot3 (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) /\
-  aw = dot3 (lx - px) (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz) /\
-  apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz - r ^ 2 =
-    a2 * s ^ 2 - 2 * aw * s + (apart2 cx cy cz px py pz - r ^ 2) /\
-  shadow.shadow_discriminant px py pz lx ly lz cx cy cz r = aw ^ 2 - a2 * (apart2 cx cy cz px py pz - r ^ 2).
+Lemma occlusion_by_signs_quadratic s px py pz lx ly lz cx cy cz r : let a2 := shadow.segment_squared px py pz lx ly lz in let aw :=
+  shadow.toward_center px py pz lx ly lz cx cy cz in a2 = dot3 (lx - px) (ly - py) (lz - pz) (lx - px) (ly - py) (lz - pz) /\ aw = dot3 (lx - px)
+  (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz) /\ apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz - r ^ 2 = a2
+  * s ^ 2 - 2 * aw * s + (apart2 cx cy cz px py pz - r ^ 2) /\ shadow.shadow_discriminant px py pz lx ly lz cx cy cz r = aw ^ 2 - a2 * (apart2 cx
+  cy cz px py pz - r ^ 2).
 Proof. intros a2 aw. unfold a2, aw, apart2. shadow_lines. repeat split; ring. Qed.
 
 (* P and L are outside the sphere about C: then |P + s (L - P) - C| = r for some s in (0, 1) exactly if d >= 0 and
    0 < a.w < |a|^2. *)
-Theorem occlusion_by_signs__iff (px py pz lx ly lz cx cy cz r : R) : 0 < r ->
-  r < sqrt (apart2 cx cy cz px py pz) -> r < sqrt (apart2 cx cy cz lx ly lz) ->
-  (exists s, 0 < s < 1 /\
-    sqrt (apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz) = r) <->
-  (0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\
-   0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz lx ly lz).
+Theorem occlusion_by_signs__iff px py pz lx ly lz cx cy cz r : 0 < r -> r < sqrt (apart2 cx cy cz px py pz) -> r < sqrt (apart2 cx cy cz lx ly lz)
+  -> (exists s, 0 < s < 1 /\ sqrt (apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz) = r) <-> (0 <=
+  shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\ 0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz
+  lx ly lz).
 Proof.
   intros Hr P L. assert (Z : forall a b c d e f, 0 <= apart2 a b c d e f) by (intros; unfold apart2; squares).
   assert (O : forall n, 0 <= n -> r < sqrt n -> 0 < n - r ^ 2).
@@ -68,15 +63,14 @@ Qed.
 Lemma apart_axis x : 0 <= x -> sqrt (apart2 0 0 0 x 0 0) = x.
 Proof. intros X. apply sqrt_is; [exact X | unfold apart2; ring]. Qed.
 
-Theorem occlusion_by_signs__iff__point : exists px py pz lx ly lz cx cy cz r : R, 0 < r /\
-  r < sqrt (apart2 cx cy cz px py pz) /\ r < sqrt (apart2 cx cy cz lx ly lz).
+Theorem occlusion_by_signs__iff__point : exists px py pz lx ly lz cx cy cz r, 0 < r /\ r < sqrt (apart2 cx cy cz px py pz) /\ r < sqrt (apart2 cx
+  cy cz lx ly lz).
 Proof. exists 2, 0, 0, 3, 0, 0, 0, 0, 0, 1. rewrite !apart_axis; lra. Qed.
 
 (* Not with d >= 0 alone. *)
-Theorem occlusion_by_signs__iff__false : ~ forall px py pz lx ly lz cx cy cz r : R, 0 < r ->
-  r < sqrt (apart2 cx cy cz px py pz) -> r < sqrt (apart2 cx cy cz lx ly lz) ->
-  0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r -> exists s, 0 < s < 1 /\
-    sqrt (apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz) = r.
+Theorem occlusion_by_signs__iff__false : ~ forall px py pz lx ly lz cx cy cz r, 0 < r -> r < sqrt (apart2 cx cy cz px py pz) -> r < sqrt (apart2
+  cx cy cz lx ly lz) -> 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r -> exists s, 0 < s < 1 /\ sqrt (apart2 (px + s * (lx - px))
+  (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz) = r.
 Proof.
   intros F. specialize (F 2 0 0 3 0 0 0 0 0 1 ltac:(lra)). rewrite !apart_axis in F by lra.
   specialize (F ltac:(lra) ltac:(lra)). destruct F as (s & S & E); [shadow_lines; lra |].
@@ -85,18 +79,16 @@ Proof.
 Qed.
 
 (* The program reports exactly these signs. *)
-Theorem occlusion_by_signs__numerators (px py pz lx ly lz cx cy cz r : R) :
-  let signs := 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\
-    0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz lx ly lz in
-  (shadow.occluded px py pz lx ly lz cx cy cz r = 1 <-> signs) /\
-  (shadow.occluded px py pz lx ly lz cx cy cz r = 0 <-> ~ signs).
+Theorem occlusion_by_signs__numerators px py pz lx ly lz cx cy cz r : let signs := 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\
+  0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz lx ly lz in (shadow.occluded px py pz lx ly lz cx cy cz r
+  = 1 <-> signs) /\ (shadow.occluded px py pz lx ly lz cx cy cz r = 0 <-> ~ signs).
 Proof.
   intros signs. unfold signs, shadow.occluded. destruct both as [[[A B] C] | [[N | N] | N]]; split; split; intros; lra.
 Qed.
 
 (* Not the first alone. *)
-Theorem occlusion_by_signs__numerators__false : ~ forall px py pz lx ly lz cx cy cz r : R,
-  0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r -> shadow.occluded px py pz lx ly lz cx cy cz r = 1.
+Theorem occlusion_by_signs__numerators__false : ~ forall px py pz lx ly lz cx cy cz r, 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz
+  r -> shadow.occluded px py pz lx ly lz cx cy cz r = 1.
 Proof.
   intros F. specialize (F 0 0 0 0 0 0 0 0 0 0). rewrite (proj1 (occlusion_by_signs__numerators _ _ _ _ _ _ _ _ _ _)) in F.
   destruct F as (_ & A & _); [| revert A]; shadow_lines; lra.
@@ -140,29 +132,27 @@ Ltac moved_by_the_light x y := match goal with |- context [x + ?lx - ?lx] => rep
   match goal with |- context [y + ?ly - ?ly] => replace (y + ly - ly) with y by ring end; assumption.
 
 (* If |L_z - C_z| >= r the shadow has a point, so that what is called an ellipse is one. *)
-Theorem shadow_of_b_on_floor__real (lx ly lz cx cy cz r : R) : 0 < lz -> 0 < r -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r ->
-  r ^ 2 <= (lz - cz) ^ 2 -> exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
+Theorem shadow_of_b_on_floor__real lx ly lz cx cy cz r : 0 < lz -> 0 < r -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r -> r ^ 2 <= (lz - cz) ^ 2 ->
+  exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
 Proof.
   intros L P C H. destruct (silhouette_of_b__real lz (cx - lx) (cy - ly) cz r L P C H) as (x & y & D). exists (x + lx), (y + ly).
   rewrite (proj1 (from_the_light _ _ _ _ _ _ _ _ _)). moved_by_the_light x y.
 Qed.
 
-Theorem shadow_of_b_on_floor__real__point : exists lx ly lz cx cy cz r : R, 0 < lz /\ 0 < r /\
-  0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ r ^ 2 <= (lz - cz) ^ 2.
+Theorem shadow_of_b_on_floor__real__point : exists lx ly lz cx cy cz r, 0 < lz /\ 0 < r /\ 0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ r ^ 2 <= (lz
+  - cz) ^ 2.
 Proof. exists 0, 0, 3, 0, 0, 0, 1. unfold c_of_b, dot3. lra. Qed.
 
 (* Not with the light on the sphere. *)
-Theorem shadow_of_b_on_floor__real__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz -> 0 < r -> r ^ 2 <= (lz - cz) ^ 2 ->
-  exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
+Theorem shadow_of_b_on_floor__real__false : ~ forall lx ly lz cx cy cz r, 0 < lz -> 0 < r -> r ^ 2 <= (lz - cz) ^ 2 -> exists x y,
+  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
 Proof. intros F. destruct (F 0 0 4 0 0 3 1) as (x & y & D); try lra. revert D. shadow_lines. lra. Qed.
 
 (* If the light is between top and lowest point, there are points cast away and others, and each is one or the other. *)
-Theorem shadow_of_b_on_floor__two_branches (lx ly lz cx cy cz r : R) : 0 < lz -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r ->
-  cz - r < lz < cz + r ->
-  (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_away x y lx ly lz cx cy cz) /\
-  (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz) /\
-  (forall x y, 0 <= shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r ->
-    cast_away x y lx ly lz cx cy cz \/ cast_back x y lx ly lz cx cy cz).
+Theorem shadow_of_b_on_floor__two_branches lx ly lz cx cy cz r : 0 < lz -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r -> cz - r < lz < cz + r ->
+  (exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_away x y lx ly lz cx cy cz) /\ (exists x y,
+  shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz) /\ (forall x y, 0 <= shadow.shadow_discriminant x y
+  0 lx ly lz cx cy cz r -> cast_away x y lx ly lz cx cy cz \/ cast_back x y lx ly lz cx cy cz).
 Proof.
   intros L C H. destruct (silhouette_of_b__two_branches lz (cx - lx) (cy - ly) cz r L C) as [(x1 & y1 & D1) (x2 & y2 & D2)]; [nra |].
   split; [exists (x1 + lx), (y1 + ly) | split; [exists (x2 + lx), (y2 + ly) |]].
@@ -176,46 +166,41 @@ Proof.
     rewrite Z in D. nra.
 Qed.
 
-Theorem shadow_of_b_on_floor__two_branches__point : exists lx ly lz cx cy cz r : R, 0 < lz /\
-  0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ cz - r < lz < cz + r.
+Theorem shadow_of_b_on_floor__two_branches__point : exists lx ly lz cx cy cz r, 0 < lz /\ 0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ cz - r < lz <
+  cz + r.
 Proof. exists 0, 0, 2, 2, 0, 2, 1. unfold c_of_b, dot3. lra. Qed.
 
 (* Not if it is level with the top. *)
-Theorem shadow_of_b_on_floor__two_branches__false : ~ forall lx ly lz cx cy cz r : R, 0 < lz ->
-  0 < c_of_b lz (cx - lx) (cy - ly) cz r -> cz - r < lz <= cz + r ->
-  exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz.
+Theorem shadow_of_b_on_floor__two_branches__false : ~ forall lx ly lz cx cy cz r, 0 < lz -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r -> cz - r < lz
+  <= cz + r -> exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz.
 Proof.
   intros F. specialize (F 0 0 3 2 0 2 1). unfold c_of_b, dot3 in F. destruct F as (x & y & D & B); try lra.
   revert D B. unfold cast_back. shadow_lines. nra.
 Qed.
 
 (* Sphere A's shadow is an ellipse if L_z > R: of positive determinant, and with points. *)
-Theorem shadow_of_a_on_floor__ellipse (lx ly lz r : R) : 0 < r < lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in
-  0 < (lx ^ 2 - c) * (ly ^ 2 - c) - (lx * ly) ^ 2 /\ exists x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r = 0.
+Theorem shadow_of_a_on_floor__ellipse lx ly lz r : 0 < r < lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in 0 < (lx ^ 2 - c) * (ly ^ 2 - c) -
+  (lx * ly) ^ 2 /\ exists x y, shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r = 0.
 Proof.
   intros H c. assert (0 < c) by (unfold c; nra). split.
   - replace (_ - _) with (c * (lz ^ 2 - r ^ 2)) by (unfold c; ring). apply Rmult_lt_0_compat; nra.
   - apply shadow_of_b_on_floor__real; try nra. unfold c_of_b, dot3. unfold c in *. lra.
 Qed.
 
-Theorem shadow_of_a_on_floor__ellipse__point : exists r lz : R, 0 < r < lz.
+Theorem shadow_of_a_on_floor__ellipse__point : exists r lz, 0 < r < lz.
 Proof. exists 1, 2. lra. Qed.
 
 (* Not if L_z = R. *)
-Theorem shadow_of_a_on_floor__ellipse__false : ~ forall lx ly lz r : R, 0 < r <= lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in
-  0 < (lx ^ 2 - c) * (ly ^ 2 - c) - (lx * ly) ^ 2.
+Theorem shadow_of_a_on_floor__ellipse__false : ~ forall lx ly lz r, 0 < r <= lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in 0 < (lx ^ 2 - c) *
+  (ly ^ 2 - c) - (lx * ly) ^ 2.
 Proof. intros F. generalize (F 1 0 1 1 ltac:(lra)). cbv zeta. lra. Qed.
 
 (* The shadow is its part with 0 < a.w' < |a|^2, beyond A: 0 < a.w' says P.L < |P|^2. *)
-Theorem shadow_of_a_on_floor__beyond_a (x y lx ly lz r : R) : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) ->
-  r < sqrt (x ^ 2 + y ^ 2) ->
-  shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz /\
-  ((exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
-   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y 0 x y 0 /\
-    cast_away x y lx ly lz 0 0 0)) /\
-  (r <= lz -> (exists s, 0 < s < 1 /\
-    sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <->
-   (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y 0 x y 0)).
+Theorem shadow_of_a_on_floor__beyond_a x y lx ly lz r : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) -> r < sqrt (x ^ 2 + y ^ 2) ->
+  shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz /\ ((exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x))
+  (y + s * (ly - y)) (0 + s * (lz - 0)) 0 0 0) = r) <-> (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y
+  0 x y 0 /\ cast_away x y lx ly lz 0 0 0)) /\ (r <= lz -> (exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz
+  - 0)) 0 0 0) = r) <-> (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y 0 x y 0)).
 Proof.
   intros R L P. assert (T : shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz)
     by (shadow_lines; ring). split; [exact T |].
@@ -230,13 +215,12 @@ Proof.
   unfold cast_away in A. rewrite T in A. lra.
 Qed.
 
-Theorem shadow_of_a_on_floor__beyond_a__point : exists x y lx ly lz r : R, 0 < r /\
-  r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) /\ r < sqrt (x ^ 2 + y ^ 2).
+Theorem shadow_of_a_on_floor__beyond_a__point : exists x y lx ly lz r, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) /\ r < sqrt (x ^ 2 + y ^ 2).
 Proof. exists 2, 0, 0, 0, 2, 1. rewrite !(sqrt_is _ 2); lra. Qed.
 
 (* Not with |P|^2 < P.L, on the light's side. *)
-Theorem shadow_of_a_on_floor__beyond_a__false : ~ forall x y lx ly lz : R,
-  0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot3 x y 0 x y 0 < dot3 x y 0 lx ly lz.
+Theorem shadow_of_a_on_floor__beyond_a__false : ~ forall x y lx ly lz, 0 < shadow.toward_center x y 0 lx ly lz 0 0 0 <-> dot3 x y 0 x y 0 < dot3 x
+  y 0 lx ly lz.
 Proof. intros F. destruct (F 1 0 0 0 1) as [G _]. revert G. shadow_lines. lra. Qed.
 
 (* The length of a vector. *)
@@ -273,11 +257,10 @@ Lemma len_axis x : 0 <= x -> len x 0 0 = x.
 Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
 
 (* On [0, 1] the program's shortest is the least value of its quadratic: at an end or where it turns. *)
-Lemma least_of_quadratic (low slope bend t : R) : 0 <= t <= 1 -> let turning := if Rle_dec 0 slope then 0 else if Rle_dec (bend + slope) 0 then 1 else
-  - slope / bend in
-  let at_ball := low + bend + 2 * slope in let at_turning := low + turning * (bend * turning + 2 * slope) in let at_an_end := if Rlt_dec at_ball low
-    then at_ball else low in
-  (if Rlt_dec at_turning at_an_end then at_turning else at_an_end) <= low + t * (bend * t + 2 * slope).
+Lemma least_of_quadratic low slope bend t : 0 <= t <= 1 -> let turning := if Rle_dec 0 slope then 0 else if Rle_dec (bend + slope) 0 then 1 else -
+  slope / bend in let at_ball := low + bend + 2 * slope in let at_turning := low + turning * (bend * turning + 2 * slope) in let at_an_end := if
+  Rlt_dec at_ball low then at_ball else low in (if Rlt_dec at_turning at_an_end then at_turning else at_an_end) <= low + t * (bend * t + 2 *
+  slope).
 Proof.
   assert (L : forall x y, (if Rlt_dec x y then x else y) <= x /\ (if Rlt_dec x y then x else y) <= y) by (split; destruct Rlt_dec; lra). intros [T0
     T1] turning at_ball at_turning at_an_end.
@@ -291,10 +274,9 @@ Proof.
 Qed.
 
 (* So where the program's clearance is positive, no segment from the light to a point of the ball meets the body. *)
-Theorem shadow_out_of_reach__program (lx ly lz cx cy cz r bx by_ bz s : R) : 0 < r -> 0 < s ->
-  r < len (lx - cx) (ly - cy) (lz - cz) -> 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s ->
-  forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s ->
-  r < len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
+Theorem shadow_out_of_reach__program lx ly lz cx cy cz r bx by_ bz s : 0 < r -> 0 < s -> r < len (lx - cx) (ly - cy) (lz - cz) -> 0 <
+  shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s -> forall t qx qy qz, 0 <= t <= 1 -> len (qx - bx) (qy - by_) (qz - bz) <= s -> r <
+  len (lx + t * (qx - lx) - cx) (ly + t * (qy - ly) - cy) (lz + t * (qz - lz) - cz).
 Proof.
   intros R S O C t qx qy qz T Q. set (n := len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))).
   assert (P : 0 < shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s).
@@ -306,7 +288,8 @@ Proof.
     shadow_clearance.lines. lra. }
   assert (D : r + t * s < n).
   { assert (0 <= n) by apply len_pos. assert (0 <= t * s) by nra. assert (0 < n ^ 2 - (r + t * s) ^ 2); [|nra].
-    eapply Rlt_le_trans; [exact P|]. eapply Rle_trans; [exact (least_of_quadratic _ _ _ t T)|]. unfold n. rewrite len_squared. shadow_clearance.lines. lra. }
+    eapply Rlt_le_trans; [exact P|]. eapply Rle_trans; [exact (least_of_quadratic _ _ _ t T)|]. unfold n. rewrite len_squared.
+      shadow_clearance.lines. lra. }
   pose proof (len_pos (qx - bx) (qy - by_) (qz - bz)).
   epose proof (shadow_out_of_reach__cone (t * (qx - bx)) (t * (qy - by_)) (t * (qz - bz)) (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz -
     cz + t * (bz - lz))
@@ -315,8 +298,8 @@ Proof.
   rewrite <- (sqrt_pow2 r) by lra. apply sqrt_lt_1_alt. split; [apply pow2_ge_0 | lra].
 Qed.
 
-Theorem shadow_out_of_reach__program__point : exists lx ly lz cx cy cz r bx by_ bz s : R, 0 < r /\ 0 < s /\
-  r < len (lx - cx) (ly - cy) (lz - cz) /\ 0 < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s.
+Theorem shadow_out_of_reach__program__point : exists lx ly lz cx cy cz r bx by_ bz s, 0 < r /\ 0 < s /\ r < len (lx - cx) (ly - cy) (lz - cz) /\ 0
+  < shadow_clearance.clearance lx ly lz cx cy cz r bx by_ bz s.
 Proof.
   exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. rewrite !Rminus_0_r, len_axis by lra. repeat split; try lra.
   shadow_clearance.lines.
@@ -324,8 +307,8 @@ Proof.
 Qed.
 
 (* Not wherever the light is outside the body. *)
-Theorem shadow_out_of_reach__program__false : ~ forall lx cx r bx s : R, 0 < r -> 0 < s -> r < len (lx - cx) 0 0 ->
-  forall t qx, 0 <= t <= 1 -> len (qx - bx) 0 0 <= s -> r < len (lx + t * (qx - lx) - cx) 0 0.
+Theorem shadow_out_of_reach__program__false : ~ forall lx cx r bx s, 0 < r -> 0 < s -> r < len (lx - cx) 0 0 -> forall t qx, 0 <= t <= 1 -> len
+  (qx - bx) 0 0 <= s -> r < len (lx + t * (qx - lx) - cx) 0 0.
 Proof.
   intros F. assert (H : 1 < len (3 + 1 / 2 * (-3 - 3) - 0) 0 0).
   { apply (F 3 0 1 (-3) 1); try lra; unfold len; [rewrite (sqrt_is _ 3) | rewrite (sqrt_is _ 0)]; lra. }

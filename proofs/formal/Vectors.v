@@ -1,13 +1,12 @@
 (* Vectors of three real numbers, and the chapter's vectors by their angles, out of the printed formulas. *)
 
 From Coq Require Import Reals Lra.
-From Formal Require Import Preliminaries Formulas.
+From Formal Require Import Formulas.
 Open Scope R_scope.
 
 Definition vector : Type := R * R * R.
 
-Definition dot (a b : vector) : R :=
-  let '(ax, ay, az) := a in let '(bx, by_, bz) := b in ax * bx + ay * by_ + az * bz.
+Definition dot (a b : vector) := let '(ax, ay, az) := a in let '(bx, by_, bz) := b in ax * bx + ay * by_ + az * bz.
 
 Definition cross (a b : vector) : vector :=
   let '(ax, ay, az) := a in let '(bx, by_, bz) := b in (ay * bz - az * by_, az * bx - ax * bz, ax * by_ - ay * bx).
@@ -16,7 +15,7 @@ Definition scaled (s : R) (a : vector) : vector := let '(x, y, z) := a in (s * x
 Definition vector_sum (a b : vector) : vector :=
   let '(ax, ay, az) := a in let '(bx, by_, bz) := b in (ax + bx, ay + by_, az + bz).
 Definition difference (a b : vector) : vector := vector_sum a (scaled (-1) b).
-Definition magnitude (a : vector) : R := sqrt (dot a a).
+Definition magnitude (a : vector) := sqrt (dot a a).
 
 (* The unit normal N and the tangent frame of the sphere at the angles theta and phi. *)
 Definition normal_at (theta phi : R) : vector :=
@@ -44,7 +43,7 @@ Definition N' : vector :=
    bumped_normal.bumped_z (cos theta) (sin theta) (cos phi) (sin phi) h_u h_v beta).
 End bump.
 
-Lemma sin_squared (a : R) : sin a ^ 2 = 1 - cos a ^ 2.
+Lemma sin_squared a : sin a ^ 2 = 1 - cos a ^ 2.
 Proof. generalize (sin2_cos2 a). unfold Rsqr. lra. Qed.
 
 (* The printed directions with the light and the eye straight above. *)
