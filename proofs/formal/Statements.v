@@ -1584,82 +1584,6 @@ Definition roundoff_bound__in_u : Prop :=
   excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_u - mean >=
      0.
 
-Definition roundoff_bound__in_v : Prop :=
-  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := off_plus + 2 * epsilon * mean + here in
-  let h_v_minus := here + off_minus in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v - epsilon >= 0 ->
-  epsilon + v <= 1 ->
-  excess - (growth - 1) >= 0 ->
-  excess + growth - 1 >= 0 ->
-  argument * steepest + evaluation - off_plus >= 0 ->
-  off_plus + argument * steepest + evaluation >= 0 ->
-  argument * steepest + evaluation - off_minus >= 0 ->
-  off_minus + argument * steepest + evaluation >= 0 ->
-  steepest - mean >= 0 ->
-  mean + steepest >= 0 ->
-  span_v <> 0 /\
-  2 * epsilon <> 0 /\
-  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
-  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
-  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
-  excess * steepest - mean * (growth - 1) >= 0 /\
-  excess * steepest + mean * (growth - 1) >= 0 /\
-  2 * epsilon * (growth * h_v - mean) = growth * (off_plus - off_minus) + 2 * epsilon * mean * (growth - 1) /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 *
-      epsilon * (growth * h_v - mean) >= 0 /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 *
-      epsilon * (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_v - mean)
-      >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_v - mean >=
-     0.
-
-Definition roundoff_bound__clamped : Prop :=
-  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := off_plus + here + mean * (epsilon + v) in
-  let h_v_minus := here + off_minus in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v >= 0 ->
-  v - epsilon < 0 ->
-  epsilon + v <= 1 ->
-  epsilon + v > 0 ->
-  excess - (growth - 1) >= 0 ->
-  excess + growth - 1 >= 0 ->
-  argument * steepest + evaluation - off_plus >= 0 ->
-  off_plus + argument * steepest + evaluation >= 0 ->
-  argument * steepest + evaluation - off_minus >= 0 ->
-  off_minus + argument * steepest + evaluation >= 0 ->
-  steepest - mean >= 0 ->
-  mean + steepest >= 0 ->
-  span_v <> 0 /\
-  epsilon + v <> 0 /\
-  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
-  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
-  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
-  excess * steepest - mean * (growth - 1) >= 0 /\
-  excess * steepest + mean * (growth - 1) >= 0 /\
-  (epsilon + v) * (growth * h_v - mean) = growth * (off_plus - off_minus) + mean * (epsilon + v) * (growth - 1) /\
-  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) -
-      (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) +
-      (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) - (growth * h_v - mean)
-      >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) + growth * h_v - mean >=
-     0.
-
 Definition roundoff_bound__two_roundings : Prop :=
   forall first growth second unit : R,
   unit > 0 ->
@@ -1922,19 +1846,6 @@ Definition pole__surface_gradient : Prop :=
       in
   surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2))
       ^ 2.
-
-Definition pole__surface_gradient_differs : Prop :=
-  forall k_u theta : R,
-  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos
-      theta) in
-  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2))
-      in
-  (1 - (1 / 4) * k_u ^ 2) ^ 2 > 0 ->
-  (sin (k_u * (theta + PI) / 2)) ^ 2 > 0 ->
-  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2))
-      ^ 2 /\
-  ((1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2) ^ 2 > 0 /\
-  (surface_x * surface_x + surface_y * surface_y - (1 / 4) * k_u ^ 2) ^ 2 > 0.
 
 Definition pole__surface_gradient_0 : Prop :=
   forall theta : R,
