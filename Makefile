@@ -15,10 +15,11 @@ book: environment-book ## check the theorems, draw the figures, build the book, 
 watch: environment-book ## show the book at localhost:8000, and each edited page as soon as it is saved  (python -m book watch)
 	@$(RUN) -m book watch
 
-# The book's run of the theorems, which is kept while no source changes, is that of the tests.
+# The book's run of the theorems, which is kept while no source changes, is that of the tests. Three workers keep two
+# cores busy: a third of a worker's time it waits, for a browser by most.
 test: environment ## run every test, the proofs' included  (python -m book; pytest verify tests)
 	@$(RUN) -m book
-	@$(RUN) -m pytest verify tests --ignore=verify/test_theorems.py -q -n 2 --dist loadfile --no-loadscope-reorder --durations=10
+	@$(RUN) -m pytest verify tests --ignore=verify/test_theorems.py -q -n 3 --dist loadfile --no-loadscope-reorder --durations=10
 
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2

@@ -4,7 +4,6 @@ import json
 import re
 
 import pytest
-from docutils import nodes
 from jupyter_cache.executors import utils
 from nbformat.v4 import new_code_cell, new_notebook
 
@@ -140,19 +139,14 @@ def test_a_number_under_the_label_of_another_record_is_refused(book):
     assert "Of machines. Measured on two cores" in html
 
 
-@pytest.mark.parametrize(
-    "value, spec, expected",
-    [
-        (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010^−5"),
+def test_typesetting():
+    for value, spec, expected in (
+        (-6.116e-5, ".1e", "−6.1\u00a0×\u00a010−5"),
         (-1.5, None, "−1.5"),
         (0.5, ".0%", "50%"),
-        (Interval(4.1e-11, 3.96e-11, 4.04e-11), None, "4\u00a0×\u00a010^−11"),
-    ],
-)
-def test_typesetting(value, spec, expected):
-    parts = typeset(value, spec)
-    text = "".join(f"^{part.astext()}" if isinstance(part, nodes.superscript) else part.astext() for part in parts)
-    assert text == expected
+        (Interval(4.1e-11, 3.96e-11, 4.04e-11), None, "4\u00a0×\u00a010−11"),
+    ):
+        assert "".join(part.astext() for part in typeset(value, spec)) == expected
 
 
 def test_a_stream_that_the_kernel_cuts_in_two_is_one(tmp_path):

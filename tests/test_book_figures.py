@@ -50,13 +50,6 @@ def saved(folder, id, function):
     return save.save(Registered(id, function), folder, "x.py", "key")
 
 
-def test_figures_have_unique_ids(monkeypatch):
-    monkeypatch.setattr(registry, "FIGURES", {})
-    registry.figure("curve")(curve)
-    with pytest.raises(ValueError, match="taken"):
-        registry.figure("curve")(curve)
-
-
 def test_a_number_is_kept_with_its_ends_and_one_that_says_nothing_is_refused_by_name():
     numbers = plain_numbers("f", {"sine": {"rms": Interval(0.5, 0.4, 0.6)}})
     assert numbers == {"sine_rms": 0.5, "sine_rms_lower": 0.4, "sine_rms_upper": 0.6}

@@ -29,10 +29,15 @@ def shell(folder, line):
     return "".join(run("bash", "-ec", line, cwd=folder, env=settings))
 
 
-def walked(folder, example, left_out):
-    """Follow a way in but for some lines in a copy of the project, without what is built; {module: what it printed}."""
+@pytest.fixture
+def copied(tmp_path):
+    """The folder of a copy of the project, without what is built."""
     built = shutil.ignore_patterns(".*", "__pycache__", "_build", "_generated", "node_modules")
-    shutil.copytree(ROOT, folder, ignore=built, dirs_exist_ok=True)
+    return shutil.copytree(ROOT, tmp_path, ignore=built, dirs_exist_ok=True)
+
+
+def walked(folder, example, left_out):
+    """Follow a way in but for some lines in a copy of the project; {module: what it printed}."""
     lines = (EXAMPLES / example / "way_in.sh").read_text("utf-8").splitlines()
     lines = filter(None, (line.partition("#")[0].strip() for line in lines))
     return {line.split()[2]: shell(folder, line) for line in lines if not re.search(left_out, line)}
@@ -64,12 +69,14 @@ def test_every_command_has_a_help_that_does_nothing_else(monkeypatch, capsys):
         assert capsys.readouterr().out.startswith("usage: "), command
 
 
-@pytest.mark.parametrize("example", ["height_field", "light_model"])
-def test_what_a_way_in_adds_is_a_choice_and_draws(tmp_path, example):
-    walked(tmp_path, example, "certificate|pytest|coq|book$")  # what proves takes long
-    (drawn,) = tmp_path.glob("*.png")
-    other = image_view(render(Scene(), 128, 128))
-    assert (np.asarray(Image.open(drawn)) != other).any(axis=2).mean() > 0.1
+def test_what_ways_in_add_is_a_choice_and_draws(copied):
+    """Both in one copy, whose kernels are made once."""
+    for example, later in (("height_field", "generate|image|figures"), ("light_model", "certificate")):
+        walked(copied, example, f"certificate|pytest|coq|book$|{later}")  # what proves takes long
+    walked(copied, "height_field", "certificate|pytest|coq|book$|apply|cp|generate")
+    other, drawn = image_view(render(Scene(), 128, 128)), [*copied.glob("*.png")]
+    assert len(drawn) == 2
+    assert all((np.asarray(Image.open(picture)) != other).any(axis=2).mean() > 0.1 for picture in drawn)
 
 
 @pytest.mark.long
@@ -77,15 +84,15 @@ def test_what_a_way_in_adds_is_a_choice_and_draws(tmp_path, example):
 @pytest.mark.parametrize(
     "example, theorem", [("height_field", "waves_climb_one_way"), ("light_model", "smooth_is_lambert")]
 )
-def test_a_way_in_ends_with_a_book(tmp_path, example, theorem):
+def test_a_way_in_ends_with_a_book(copied, example, theorem):
     """The theorem is proved and its false variants are not, by Coq too; only stale certificates are made anew."""
-    printed = walked(tmp_path, example, "never" if shutil.which("coqc") else "coq")
+    printed = walked(copied, example, "never" if shutil.which("coqc") else "coq")
     made = {line.partition(":")[0] for line in printed["proofs.engine.certificate"].splitlines()}
     of_models = {"bump_moves_no_boundary", "edges_add_nothing"} if example == "light_model" else set()
     assert made == {theorem, *of_models}
     assert re.search(rf"{theorem} +proved .* mutants 2/2", printed["pytest"])
     if "verify.coq" in printed:
         assert re.search(rf"{theorem} +2 claims +0 mutants +0 statements", printed["verify.coq"])
-    site = tmp_path / "book" / "_build" / "html"
+    site = copied / "book" / "_build" / "html"
     assert f"theorem-{theorem}" in (site / "findings.html").read_text("utf-8")
     assert ('id="fig-waves"' in (site / "s3.html").read_text("utf-8")) is (example == "height_field")

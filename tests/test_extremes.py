@@ -6,10 +6,7 @@ import tomllib
 import pytest
 
 from proofs.engine.theorem import all_theorems
-from verify.accuracy.canvas import SIZE
-from verify.accuracy.differences import PER_DECADE
 from verify.evidence.sources import ROOT
-from verify.measurements.pole import POINTS
 
 BOOK = ROOT / "book"
 PATTERNS = ("chapter/**/*.md", "checked/**/*.md", "ledger/claims/*.toml")
@@ -24,12 +21,6 @@ EVERY = re.compile(r"\bevery (?:pixel|point)\b")
 SQUARED = re.compile(rf"(\d+)²|{NUMBER}(?:²| pixels across)")
 THEOREM = re.compile(r"\{theorem-ref\}`([^`|]+)")
 CERTAIN = ("proved", "certified")
-OF_A_THEOREM = {
-    "dark_difference": f"${SIZE}^2$",
-    "pole_accuracy": f"of {POINTS} points",
-    "difference_bounds": {40: "forty"}[PER_DECADE],
-}
-"""{theorem: how it says of what its extreme is one}"""
 
 
 def sentences(text):
@@ -68,13 +59,6 @@ def texts_of(path):
 def test_an_extreme_is_of_something(path):
     faults = {s: objections(s) for text in texts_of(path) for s in extremes(text)}
     assert {s: wrong for s, wrong in faults.items() if wrong} == {}
-
-
-def test_a_measured_theorem_says_so_too():
-    for theorem in all_theorems().values():
-        words = " ".join((theorem.words, *theorem.hypotheses))
-        if theorem.expected == "measured" and EXTREME.search(theorem.words):
-            assert OF_A_THEOREM[theorem.id] in words, theorem.id
 
 
 OF_WHAT = ["of what?"]

@@ -10,12 +10,10 @@ import matplotlib
 import pytest
 
 from book import seed_page
-from book.editions.pages import parsed
 from book.extension.notebooks import FOLDER
 from book.notebooks import WHOLE
 from book.notebooks.laboratory import PAGE, cells, notebooks, plain
 from book.notebooks.printed import refreshed
-from tests import one_page
 from tests.processes import python
 
 ALONE = "The book's renderer is not installed: nothing to compare with.\n"
@@ -179,16 +177,6 @@ def test_a_cell_shows_its_knobs_and_what_decides_and_folds_the_rest(page_of):
             fold.extract()
         shown = cell.get_text()
         assert "# Here:" in shown and "import" not in shown and len(shown.strip().splitlines()) <= 16
-
-
-def test_colab_and_binder_are_offered_where_a_repository_is_configured(tmp_path):
-    (tmp_path / "_config.yml").write_text("repository: {url: 'https://github.com/a/b.git', branch: pages}\n")
-    html, _ = one_page.build(tmp_path, ":::{notebook} cell3\n:::")
-    (paragraph,) = parsed(html).select("p.notebook-links")
-    upload, colab, binder = (link["href"] for link in paragraph.select("a:not([download])"))
-    assert upload == "https://colab.new"
-    assert colab == f"https://colab.research.google.com/github/a/b/blob/pages/{FOLDER}/cell3.ipynb"
-    assert binder.startswith("https://mybinder.org/v2/gh/a/b/pages?")
 
 
 def test_links_save_notebooks_from_a_disk_and_a_copied_cell_is_complete_though_folded(site, visit):

@@ -2,9 +2,8 @@
 
 import os
 import re
-from contextlib import suppress
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from random import Random
 
 import mpmath
@@ -46,31 +45,24 @@ from tests.test_machines import differing, drawn_by, held, numpy_draws
 from verify.enclosed_pixels import wrong
 
 DUNES = "exp(-8*(v-1/2)**2)*sinpi(k_u*u)"
-WAVES = ("sinpi(k_u*u)", "cospi(2*k_u*u+k_v*v)", "sinpi(k_v*v)", "cospi(k_v*v-1/3)", "sign(2+sinpi(k_u*u))")
-CREASED = ("abs(sinpi(k_u*u)*cospi(k_v*v))", "max(0,sinpi(k_v*v))", "min(0, sinpi(k_u*u+k_v*v))")
-PLAIN = ("v", "u*(1-u)", "(v-1/2)**2", "0.3", "2.5e-1", "pi/4")
-JOINED = ("({0}+{1})", "({0}-{1})", "{0}*{1}", "{0}/(3+{2})", "exp(-2*{0}**2)", "log(4+{2})", "sqrt(4+{2})", "-{0}")
-JOINED += ("abs({0})*abs({1})", "max({0}, {1})", "atan(2*{2})", "(2+{2})^1.5", "({0}+floor(3*{2})/2)", "({0}*{2}) % 2")
+NESTED = [  # of a random grammar, those that have most in one another
+    "(2+cospi(k_v*v-1/3))^1.5-sinpi(k_v*v)/(3+cospi(2*k_u*u+k_v*v))/(3+cospi(2*k_u*u+k_v*v))",
+    "exp(-2*(v-1/2)**2**2)+floor(3*sinpi(k_u*u))/2+max(sqrt(4+sinpi(k_v*v)), sinpi(k_u*u)-max(0,sinpi(k_v*v)))",
+    "(exp(-2*-cospi(k_v*v-1/3)**2)*sinpi(k_v*v)) % 2",
+    "sqrt(4+sinpi(k_u*u))/(3+sign(2+sinpi(k_u*u)))-max(atan(2*cospi(2*k_u*u+k_v*v)), 2.5e-1"
+    "+floor(3*cospi(2*k_u*u+k_v*v))/2)",
+    "-abs(log(4+cospi(k_v*v-1/3)))*abs(sqrt(4+sinpi(k_u*u)))",
+    "max(-sinpi(k_u*u), cospi(2*k_u*u+k_v*v)/(3+cospi(k_v*v-1/3)), (2+cospi(k_v*v-1/3))^1.5"
+    "+(abs(sinpi(k_u*u)*cospi(k_v*v))*cospi(k_v*v-1/3)) % 2)",
+    "abs(exp(-2*atan(2*cospi(k_v*v-1/3))**2))*abs(sqrt(4+sign(2+sinpi(k_u*u))))",
+    "abs(log(4+sinpi(k_u*u))*(2+sinpi(k_u*u))^1.5)*abs(log(4+sinpi(k_v*v)))",
+    "exp(-2*(sqrt(4+cospi(2*k_u*u+k_v*v))-(min(0, sinpi(k_u*u+k_v*v))-pi/4))**2)",
+    "((2.5e-1*sinpi(k_v*v)) % 2-sqrt(4+sinpi(k_v*v)))/(3+cospi(2*k_u*u+k_v*v))",
+    "(atan(2*sinpi(k_u*u))+abs(v)*0.3)*cospi(k_v*v-1/3) % 2",
+    "abs(0.3*cospi(2*k_u*u+k_v*v) % 2+floor(3*sinpi(k_v*v))/2)*abs((2+sinpi(k_u*u))^1.5)",
+]
 KU, KV = 6.0, 3.0
 METHODS = (exact(), central(1e-3), forward(1e-2), central4(1e-2))
-
-
-def formula(random, depth=3):
-    """A random text of the grammar."""
-    if not depth:
-        return random.choice(WAVES + CREASED + PLAIN)
-    return random.choice(JOINED).format(*(formula(random, depth - 1) for _ in range(2)), random.choice(WAVES))
-
-
-@cache
-def accepted():
-    """[(text, HeightField)] of random texts; those that are refused, by most for their creases, are left out."""
-    random, fields = Random(28), {}
-    while len(fields) < 24:
-        text = formula(random)
-        with suppress(ValueError):
-            fields[text] = fields.get(text) or HeightField(f"random_{len(fields)}", parse_expression(text))
-    return list(fields.items())
 
 
 def by_mpmath(text):
@@ -109,13 +101,13 @@ def assert_bounded(scene, method, monkeypatch):
     return frame
 
 
-@pytest.mark.parametrize("number", range(24))
-def test_a_formula_is_drawn_by_both_machines_and_is_what_it_says(number, monkeypatch):
+@pytest.mark.parametrize("text", NESTED)
+def test_a_formula_is_drawn_by_both_machines_and_is_what_it_says(text, monkeypatch):
     """Bits, gradients against mpmath's at 60 digits, bounds against 256-bit balls."""
-    text, field = accepted()[number]
+    field = HeightField("nested", text)
     assert parse_expression(expression_text(field.expression)) == field.expression
     assert apart(text, field) < 1e-12
-    assert_drawn(Scene(field=field, ku=KU, kv=KV), METHODS[number % len(METHODS)], monkeypatch)
+    assert_drawn(Scene(field=field, ku=KU, kv=KV), METHODS[NESTED.index(text) % len(METHODS)], monkeypatch)
 
 
 AS_WRITTEN = [
@@ -198,7 +190,6 @@ NO_FIELDS = {
     "expression = None is not allowed: an expression of SymPy, or its text": lambda: HeightField("none", None),
     "expression = array([[0.],        [0.]]) is not allowed": lambda: HeightField("image", np.zeros((2, 1))),
     "field = 'deep' is not allowed: a formula that is": lambda: HeightField("deep", "tanh(" * 29 + "v" + ")" * 29),
-    "it has w, and a field no symbols but u, v, k_u, k_v": lambda: HeightField("free", u * Symbol("w")),
     "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
@@ -208,10 +199,8 @@ NO_FIELDS = {
         Scene(field=HeightField("moving", "max(0, sin(8*pi*u) - a)", a=0.5)), 8, 8, derivatives=["a"]
     ),
     "parameter = 'u' is not allowed: a name of small letters": lambda: HeightField("x", "v", u=1),
-    "parameter = 'A' is not allowed": lambda: HeightField("x", "v", A=1),
     "a = 'b' is not allowed: a finite number": lambda: HeightField("x", "a*v", a="b"),
     "field = 'beta' is not allowed: parameters by names": lambda: Scene(field=HeightField("x", "beta*v", beta=1)),
-    "number that no float64": lambda: HeightField("vanishing", v / 10**400),
 }
 """{how it is said: what is made}, beside the files of tests/test_again.py."""
 
@@ -229,7 +218,7 @@ def test_a_profile_is_plotted_from_end_to_end():
 
 def test_a_field_is_kept_by_its_formula():
     """A name is a label, whatever was drawn by it or refused; one of the chapter's is the chapter's."""
-    rejection(HeightField, "label", v / 10**400)
+    assert "number that no float64" in rejection(HeightField, "label", v / 10**400)
     labels = ("label", 2), ("label", 4), ("label", 2), ("another", 4)
     scenes = [Scene(field=HeightField(name, exp(v) * sinpi(rate * u))) for name, rate in labels]
     first, edited, again, renamed = (render(scene, 8, 8).rgb.tobytes() for scene in scenes)
@@ -283,7 +272,7 @@ def test_a_parameter_is_drawn_by_llvm_kept_in_a_file_and_found_again(tmp_path):
 def test_no_constant_is_further_off_than_it_says():
     """π from its 151st digit on; decimals as floats are printed; quotients of any size, from the least float64 on."""
     random, numbers = Random(47), [pi * 10**150 - int(pi.n(160) * 10**150), sqrt(2), pi**2 / 6, log(3) / log(2)]
-    for bits in range(10**4):
+    for bits in range(2000):
         p, q = (random.getrandbits(bits % 200) | 1 for _ in "pq")
         numbers += Rational(repr(random.random())), Rational(-p, q) * Rational(2) ** random.randint(-1070, 820)
     for number, constant in zip(numbers, eval(OwnPrinter().doprint(numbers), CALLED), strict=True):

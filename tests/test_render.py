@@ -32,12 +32,6 @@ def same(one, other):
     return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in PLANES)
 
 
-def test_shapes_and_types():
-    frame = render(DEFAULT, 30, 20)
-    assert frame.rgb.shape == (20, 30, 3)
-    assert [getattr(frame, name).dtype for name in PLANES] == ["float64", "uint8", "bool", "float64", "bool"]
-
-
 def with_parts(scene, parts, names):
     """Return a scene with some of the parts that are given by name."""
     values = {name: parts[name] for name in names}
@@ -106,22 +100,17 @@ def test_a_stage_serves_lights_of_other_colours_and_no_other_scene_raster_or_cro
 )
 def test_a_mean_of_samples_keeps_their_bounds(count, crop, method, by, drawer, monkeypatch):
     """The mean that was rounded is off from the exact mean of the samples by what its bound has more than theirs."""
+    monkeypatch.setattr(drawing, "BAND_SAMPLES", 1)
     with drawn_by(drawer, 1):
         drawn = partial(render, SINE, gradient=method, bounds=True, derivatives=by)
         frame = drawn(17, 13, crop=crop, samples=count)
         _, _, wide, high = frame.raster.crop
         fine = drawn(17 * count, 13 * count, crop=tuple(count * n for n in frame.raster.crop))
-        plain = render(SINE, 17, 13, method, crop)
-        assert (frame.chambers == plain.chambers).all() and frame.work["light_terms"] == fine.work["light_terms"]
-        monkeypatch.setattr(drawing, "BAND_SAMPLES", 1)
-        again = drawn(17, 13, crop=crop, samples=count, threads=1)
+        assert (frame.chambers == render(SINE, 17, 13, method, crop).chambers).all()
     blocks = high, count, wide, count
     assert (frame.open >= fine.open.reshape(blocks).any(axis=(1, 3))).all()
-    pairs = (
-        [(f.rgb, f.bounds), *((f.derivatives[n], f.derivative_bounds[n]) for n in by)] for f in (frame, fine, again)
-    )
-    for one, other, same_bits in zip(*pairs, strict=True):
-        assert all(map(np.array_equal, one, same_bits))
+    pairs = ([(f.rgb, f.bounds), *((f.derivatives[n], f.derivative_bounds[n]) for n in by)] for f in (frame, fine))
+    for one, other in zip(*pairs, strict=True):
         means = [np.vectorize(Fraction)(each.reshape(*blocks, 3)).sum(axis=(1, 3)) / count**2 for each in other]
         mean, bound = map(np.vectorize(Fraction), one)
         assert (abs(mean - means[0]) + means[1] <= bound).all() and (bound <= means[1] * (1 + 1e-9) + 1e-13).all()
@@ -155,11 +144,9 @@ ODD = replace(DEFAULT, ku=7.5)
 default = partial(render, DEFAULT, 8, 8)
 REFUSED = {
     "gradient = 'central' is not allowed: exact(), central(eps)": lambda: default("central"),
-    "threads = 257": lambda: default(threads=257),
     "into = 'frame'": lambda: default(into="frame"),
     "bounds = 1 is not allowed: True or False": lambda: default(bounds=1),
     "frame = Frame(Raster(width=8, height=9": lambda: default() - render(DEFAULT, 8, 9),
-    "linear = 'float32' is not allowed: given with a .tif": lambda: default().save("a.png", linear="float32"),
     "derivatives = 'beta' is not allowed: names of the scene's": lambda: default(derivatives="beta"),
     "derivatives = 'lights[00].position[0]' is not": lambda: default(derivatives=["lights[00].position[0]"]),
     "derivatives = 7 is not allowed: names": lambda: default(derivatives=[7]),
@@ -169,7 +156,6 @@ REFUSED = {
     "numbers = 'lights[5].color[0]' is not": lambda: DEFAULT.with_numbers({"lights[5].color[0]": 1}),
     "name = 'nope' is not allowed: names": lambda: DEFAULT.number("nope"),
     "names = 'nope' is not allowed: names": lambda: fit(DEFAULT, np.zeros((8, 8, 3)), ["nope"]),
-    "samples = 17 is not allowed: a whole number from 1 to 16": lambda: default(samples=17),
     "samples = 9 is not allowed: a whole number from 1 to 8": lambda: render(DEFAULT, 2**21, 1, samples=9),
     "samples = 2 is not allowed: 1 beside a stage": lambda: default(samples=2, stage=stage_of(DEFAULT, 8, 8)),
     "samples = 2 is not allowed: 1 beside": lambda: default(samples=2, into=default()),
@@ -183,8 +169,9 @@ REFUSED = {
     "frame = Frame(Raster(width=8,": lambda: distance_on_a(default(), render(DEFAULT, 8, 9)),
     "form = 'algebraic' is not allowed: a field whose wave number in u": lambda: render(ODD, 8, 8, exact("algebraic")),
     "(u, v) = ('a', 0.1)": lambda: height_at(DEFAULT, "a", 0.1),
-    "(u, v) = (1.5, 0.5) is not allowed: u and v in [0, 1]": lambda: height_at(DEFAULT, [0.5, 1.5], 0.5),
-    "(u, v) = (0.5, 1.000000001)": lambda: gradient_at(DEFAULT, 0.5, [0.5, 1 + 1e-9], exact()),
+    "(u, v) = (0.5, 1.000000001) is not allowed: u and v in [0, 1]": lambda: gradient_at(
+        DEFAULT, 0.5, [0.5, 1 + 1e-9], exact()
+    ),
     "(u, v) = (0.5, nan)": lambda: gradient_at(DEFAULT, 0.5, math.nan, exact()),
     "method = 'exact'": lambda: gradient_at(DEFAULT, 0.1, 0.1, "exact"),
     "column = 64": lambda: pixel(DEFAULT, 64, 64, 64, 0),

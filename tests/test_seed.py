@@ -18,14 +18,6 @@ def test_it_is_kept_as_it_came():
     assert hashlib.sha256(SEED.read_bytes()).hexdigest() == CAME_AS
 
 
-def test_the_front_page_and_the_citation_name_its_authors():
-    front, citation = ((SEED.parents[1] / name).read_text("utf-8") for name in ("index.md", "../CITATION.cff"))
-    for name in ("Dr. L. Van Warren", "Kimi K3"):
-        (role,) = (line.split(" — ")[1] for line in parts()["front"].splitlines() if line.startswith(f"{name} — "))
-        assert f"**{name}**, {role}" in front and f"- name: {name}\n" in citation
-        assert f"{name}: {role}" in " ".join(citation.split())
-
-
 def test_its_parts_are_the_whole_in_order():
     pieces = parts()
     assert "".join(pieces.values()) == SEED.read_text("utf-8")

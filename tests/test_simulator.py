@@ -235,7 +235,6 @@ def test_the_curve_sets_the_step_by_click_and_key_and_reads_it(tab):
 
 def test_words_beside_the_pictures_follow_the_state(tab):
     """A large step is led by truncation, a small one by a rounded argument; on a crease by the crease."""
-    says(tab, "[data-readout=flips]", "0")
     tab.select_option("#sim-view", "terms")
     for exponent, term in ((-3, TERMS[0]), (-9, TERMS[1]), (-1, TERMS[3])):
         slide(tab, "eps", exponent)
@@ -250,9 +249,6 @@ def test_words_beside_the_pictures_follow_the_state(tab):
     assert digits.evaluate(grey) != digits.evaluate(ink)
     tab.select_option("#sim-view", "by_lamp")
     says(tab, ".sim-pixel tbody tr:last-child th", "∂ blue")
-    assert 'derivatives=("lights[0].position[0]",)' in tab.inner_text(".sim-python code")
-    addressed(tab)
-    assert "view=by_lamp" in tab.url
     tab.uncheck("[data-parameter=lights] input >> nth=0")
     says(tab, ".sim-remark", re.compile("is off"))
     assert "derivatives" not in tab.inner_text(".sim-python code")

@@ -6,7 +6,6 @@ import pytest
 
 from renderer import Scene, forward, render
 from renderer.intervals import certain_digits
-from renderer.picture.facts import facts
 from renderer.picture.stage import Stage
 from renderer.picture.sweep import HEADINGS, sweep, table, write_csv
 
@@ -41,15 +40,6 @@ def test_a_chamber_that_differs_is_counted_as_a_flip(monkeypatch):
     monkeypatch.setattr("renderer.picture.sweep.render", flipping)
     (row,) = sweep(Scene(floor=False), 16, 16, (1e-2,))
     assert row.flips == (render(Scene(floor=False), 16, 16).chambers > 0).sum() > 0
-
-
-def test_facts():
-    told = dict(facts(Scene(), 64, 64))
-    assert told["flips over 96 frames (fields, beta, eps, models)"] == "0"
-    assert told["beta = 0: largest |numeric - exact|"] == "0"
-    assert told["ridges on the crease u = 1/8: exact (h_u, h_v)"] == "(0, 0)"
-    errors = [float(told[f"sine at (0.31, 0.47): error of h_u, eps = {eps}"]) for eps in ("0.001", "0.0001", "1e-06")]
-    assert errors[:2] == [6.116e-05, 6.116e-07] and 7e-12 < errors[2] < 7e-10
 
 
 def test_a_further_step_draws_one_picture(monkeypatch):

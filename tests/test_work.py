@@ -2,13 +2,11 @@
 
 from dataclasses import replace
 from types import SimpleNamespace
-from unittest.mock import Mock
 
 import numpy as np
 import pytest
 
 from renderer import HeightField, Light, Scene, central, central4, cospi, exact, forward, k_u, render, stage_of, u
-from renderer.scene import scene
 
 DEFAULT = Scene()
 SIZE = (64, 64)
@@ -32,13 +30,6 @@ def test_height_evaluations(method, heights, of_rings):
     assert (flat.gradient_evaluations, flat.height_evaluations, flat.algebraic_gradients) == (0, 0, 0)
 
 
-def test_a_picture_makes_its_geometry_once(monkeypatch):
-    made = Mock(side_effect=scene.Geometry)
-    monkeypatch.setattr(scene, "Geometry", made)
-    work_of(options={"bounds": True}, eye=4.5)
-    made.assert_called_once()
-
-
 def test_what_is_counted_in_a_picture():
     """Of an occluded light nothing is computed; shadows are tested where they can fall."""
     frame = render(DEFAULT, *SIZE)
@@ -51,21 +42,16 @@ def test_what_is_counted_in_a_picture():
     assert occluded < work.shadow_tests < work.pixels_a + work.pixels_b + 2 * work.pixels_floor
 
 
-def test_no_ball_no_floor_no_highlight():
-    assert work_of(ball=False, floor=False).shadow_tests == 0
-    without_ball = work_of(ball=False)
-    assert 0 < without_ball.shadow_tests <= 2 * without_ball.pixels_floor
-    diffuse = work_of(ks=0.0)
-    assert (diffuse.specular_powers, diffuse.light_terms) == (0, work_of().light_terms)
-
-
-def test_a_light_that_is_off_or_black():
-    first, second = DEFAULT.lights
-    one = work_of(lights=(first,))
+def test_what_is_not_there_is_not_computed():
+    """No ball, no floor, no highlight, no light; one that is off or black."""
+    (first, second), scene = DEFAULT.lights, work_of()
+    one, black = work_of(lights=(first,)), work_of(lights=(first, replace(second, color=(0.0, 0.0, 0.0))))
     assert work_of(lights=(first, replace(second, color=None))) == one
-    assert work_of(lights=(first, replace(second, color=(0.0, 0.0, 0.0)))).light_terms == one.light_terms > 0
-    none = work_of(lights=())
-    assert (none.light_terms, none.shadow_tests, none.specular_powers) == (0, 0, 0)
+    none, without_ball, diffuse = (work_of(**fields) for fields in ({"lights": ()}, {"ball": False}, {"ks": 0.0}))
+    assert none.light_terms == none.shadow_tests == none.specular_powers == diffuse.specular_powers == 0
+    assert work_of(ball=False, floor=False).shadow_tests == 0 < without_ball.shadow_tests
+    assert without_ball.shadow_tests <= 2 * without_ball.pixels_floor
+    assert diffuse.light_terms == scene.light_terms > black.light_terms == one.light_terms > 0
 
 
 def test_a_body_that_clears_the_cone_of_light():

@@ -58,18 +58,20 @@ def pytest_pycollect_makemodule(module_path, parent):
     return _Module.from_parent(parent, path=module_path)
 
 
-def pytest_collection_modifyitems(config, items):
-    """Keep what --theorem names, and skip what is marked long without --long."""
-    if ids := config.getoption("theorem"):
+def pytest_generate_tests(metafunc):
+    """Test the theorems that --theorem names, and those that they use; without it, all."""
+    if "theorem_id" in metafunc.fixturenames:
         theorems = all_theorems()
-        if unknown := set(ids) - theorems.keys():
+        wanted = {*(metafunc.config.getoption("theorem") or theorems)}
+        if unknown := wanted - theorems.keys():
             raise pytest.UsageError(f"--theorem: there is no {', '.join(sorted(unknown))}")
-        wanted = set(ids)
         for theorem in reversed(theorems.values()):  # each stands after those that it uses
             wanted |= {*theorem.uses} if theorem.id in wanted else set()
-        chosen = [i for i in items if not hasattr(i, "callspec") or i.callspec.params.get("theorem_id") in wanted]
-        config.hook.pytest_deselected(items=[i for i in items if i not in chosen])
-        items[:] = chosen
+        metafunc.parametrize("theorem_id", [id for id in theorems if id in wanted])
+
+
+def pytest_collection_modifyitems(config, items):
+    """Skip what is marked long without --long."""
     if not config.getoption("--long"):
         for item in items:
             if item.get_closest_marker("long"):

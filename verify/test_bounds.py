@@ -1,11 +1,8 @@
 """Bounds that `render(..., bounds=True)` certifies: nowhere is a colour further from 256-bit balls than its bound."""
 
 import itertools
-import operator
 from dataclasses import replace
-from functools import reduce
-from itertools import repeat
-from operator import and_, mul, or_, truediv
+from operator import mul, truediv
 
 import numpy as np
 import pytest
@@ -19,16 +16,12 @@ from proofs.formulas.symbols import x, y
 from renderer import Light, Scene, central, exact, kernels, operations, render
 from renderer.machines import enclosing, numpy_rows
 from renderer.machines.enclosing import Enclosed, Mask
-from renderer.machines.enclosing_machine import enclosed_numbers
-from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
 from renderer.scene.raster import Raster
-from renderer.scene.scene import BUMPS
 from renderer.shader import rounded_inputs
-from renderer.shader.numbers import SCENE_FORM, Shot, numbers_of
-from renderer.shader.rounded_inputs import input_bounds
+from renderer.shader.numbers import Shot
 from verify.accuracy.pixels import BITS
-from verify.coq.recorded_pixel import ANY, COLUMNS, ROWS, WANTS, recorded
+from verify.coq.recorded_pixel import COLUMNS, ROWS
 from verify.enclosed_pixels import KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
@@ -152,106 +145,6 @@ def test_a_half_that_is_rounded_up_to_a_normal_number_is_not_exact():
     number = Enclosed(np.nextafter([2.0**-1021], 0.0), stays_exact=True) * 0.5
     assert number.value == enclosing.LEAST_NORMAL
     assert number.bound > 0.0
-
-
-def few(number):
-    return np.less_equal(number.error, 2.0**60)
-
-
-def far_from_zero(number):
-    least = abs(number.value) - number.error * enclosing.UNIT * (1 + 2.0**-19)
-    return (abs(number.value) <= 2.0**960) & (least >= 2.0**-59)
-
-
-def may_turn(a, b):
-    size = abs(a.value * b.value)
-    return few(a) & few(b) & (size <= 2.0**21) & ((size >= 1e-285) | (size == 0.0))
-
-
-ALLOWED = {
-    "mul": lambda a, b: few(a) & few(b), "truediv": lambda _, b: far_from_zero(b), "sqrt": lambda a: a.value >= 0.0,
-    "floor": few, "rint": few, "sinpi": may_turn, "cospi": may_turn, "power": lambda *_: np.bool_(False),
-    "atan2pi": lambda b, a: a.value**2 + b.value**2 >= 2.0**-10,
-}  # fmt: skip
-"""{operation: whether its rule allows what it is given}: `allowed` of proofs/formal/EnclosingOperations.v."""
-
-
-def bounded(lines, inputs):
-    """Return each line's number, and where that is known to be within its bound, as EnclosingPrograms.v has it."""
-    numbers, knowns = [], []
-
-    def done(name, *given):
-        return (getattr(operator, f"__{name}__", None) or getattr(enclosing, name))(*given)
-
-    def is_open(mask):
-        return np.bool_(False) if mask.open is None else mask.open
-
-    def settled(condition, given, known):
-        kind, *parts = condition
-        if kind not in ("and", "or", "invert"):
-            mask = done(kind, *(given[part] for part in parts))
-            return mask, known[parts[0]] & known[parts[1]] & ~is_open(mask)
-        masks, sure = zip(*(settled(part, given, known) for part in parts), strict=True)
-        alone = [one & (mask.holds == (kind == "or")) for mask, one in zip(masks, sure, strict=True)]
-        return done(kind, *masks), reduce(or_, alone if kind != "invert" else [], reduce(and_, sure))
-
-    lines = [*lines]
-    for kind, text, *places in lines:
-        if kind in ("sinpi", "cospi"):
-            places = lines[places[0]][2:]  # the factors of what is given in two parts
-        given, known = [numbers[place] for place in places], [knowns[place] for place in places]
-        sure = reduce(and_, known, np.bool_(True)) & ALLOWED.get(kind, lambda *_: True)(*given)
-        if kind == "where":
-            mask, decided = settled(text, given[2:], known[2:])
-            sure = np.where(is_open(mask), known[0] & known[1], decided & np.where(mask.holds, *known[:2]))
-            given = [mask, *given[:2]]
-        elif kind in ("sinpi", "cospi"):
-            given = enclosing.two_product(*given)
-        if kind == "input":
-            number = next(inputs)
-        elif kind == "product_error":
-            number = 0.0  # only a sine takes it
-        elif kind in ("literal", "constant"):
-            number = (float if kind == "literal" else operations.Constant)(float.fromhex(text))
-        else:
-            number = done(kind, *given)
-        numbers.append(enclosing.enclosed(number))
-        knowns.append(sure)
-    return numbers, knowns
-
-
-def of_any(shot, known_powers):
-    """Return a scene's numbers, as the recorded program of any scene takes them, and the lights'."""
-    numbers, lights = numbers_of(shot)
-    chosen = of_form(SCENE_FORM, map(np.asarray, numbers))
-    chosen.way = ANY.ways.index((shot.scene.field, "general" if known_powers else shot.way))
-    chosen.bump, chosen.model = BUMPS.index(shot.scene.bump), ANY.lights.index(shot.want.lights[0])
-    return chosen, lights
-
-
-WAYS = exact("general"), central(1e-3)
-MATT = [(Scene(field=field, ks=0.0), method) for field in kernels.FIELDS for method in WAYS]
-"""Scenes without the highlight, whose power has no rule."""
-
-
-@np.errstate(all="ignore")
-@pytest.mark.parametrize("scene, method", [(Scene(), exact()), *MATT])
-def test_the_rules_allow_what_a_pixel_needs(scene, method):
-    """By the recorded program. The picture's bounds are no less, but for a last bit: none of its variables is exact."""
-    frame, recording = render(scene, 24, 24, method, bounds=True), recorded()
-    shot, known_powers = frame.shot, scene == Scene()
-    job, (chosen, lights) = input_bounds(shot, 24), of_any(shot, known_powers)
-    x, y = shot.raster.image_points(scene)
-    points = Enclosed(x, job["x_bound"], True), Enclosed(y[:, None], job["y_bound"][:, None], True)
-    chosen = enclosed_numbers(chosen, of_form(SCENE_FORM, job["scene_bounds"]), shot.want.shader.rounded)
-    rest = map(Enclosed, map(np.asarray, itertools.chain(lights.ravel(), repeat(0.0))))
-    zeros = repeat(Enclosed(np.asarray(0.0)), 2)
-    values, known = bounded(recording.lines, itertools.chain(points, zeros, flat(chosen), rest))
-    for number, name in enumerate(COLORS):
-        place = recording.outputs[name][len(WANTS) * len(lights) + 2 * known_powers]
-        assert known[place].all()
-        assert (values[place].value == frame.planes[number]).all()
-        assert (values[place].bound <= frame.bounds[..., number] * (1.0 + 2.0**-50)).all()
 
 
 def one_sided(mask, value, otherwise):

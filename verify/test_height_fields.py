@@ -25,12 +25,12 @@ from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.step_bounds import TERMS
 from proofs.formulas.symbols import h, k_u, k_v, u, v
 from proofs.printers.coq_float64 import carried_out
-from renderer import central, kernels, operations
+from renderer import kernels, operations
 from renderer.generate.__main__ import write_all
 from renderer.generate.kernels import function_of, kernels_source
 from renderer.generate.reader import expression_text, parse_expression
 from verify.accuracy.creases import crease_point, crease_rates
-from verify.accuracy.step_terms import ROOM, RULES, bounds_of, factors_of, slope_terms
+from verify.accuracy.step_terms import RULES, bounds_of, factors_of, slope_terms
 from verify.evaluate import Reference
 from verify.evaluate.balls import Balls
 
@@ -102,7 +102,7 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
 
 
-@pytest.mark.parametrize("name", ["tent", "golf", "bricks", "nested", "hills"])
+@pytest.mark.parametrize("name", ["ridges", "tent", "golf", "bricks", "nested", "hills"])
 def test_no_difference_is_off_unless_it_straddles(name):
     """Where it does and a slope jumps, it is off by some of the jump; out and back within the step is not noticed."""
     at = *np.random.default_rng(53).uniform(0, 1, (2, 4000)), 8.0, 4.0
@@ -206,39 +206,12 @@ def test_no_difference_is_further_off_than_its_bound(field, method):
 
 
 @every_method
-@every_field
-@np.errstate(all="ignore")
-def test_where_both_arguments_round_back_the_bound_is_the_slope(field, method):
-    """The difference is 0 there, and its error the slope itself: the bound is no more than a rounding above it."""
-    at = *np.random.default_rng(5).uniform(0.1, 0.9, (2, 1000)), 8.0, 4.0
-    for eps in (1e-18, 2.5e-18):  # twice that rounds back, too
-        errors, terms = errors_and_terms(field, (*at, eps), method)
-        assert not np.any(function_of(METHODS[method](field))(*at, eps))
-        assert (terms.sum(axis=1) <= errors * ROOM**2 + 1e-12).all()
-
-
-@every_field
-@np.errstate(all="ignore")
-def test_a_representable_step_moves_no_argument_within_a_binade(field):
-    """So its error is below a bound without that part, which holds for hardly any other step."""
-    at = *np.random.default_rng(6).uniform(0.52, 0.98, (2, 2000)), 8.0, 4.0
-    for step in (1e-3, 1e-7, 1e-11):
-        _, terms = errors_and_terms(field, (*at, central(step, representable=True).eps))
-        assert not terms[:, 1].any()
-        assert errors_and_terms(field, (*at, step))[1][:, 1].any()
-
-
-@every_method
 @pytest.mark.parametrize("k", [2.0, 8.0, 64.0])
 def test_the_bounds_are_sharp(k, method):
     """Reach the bound, up to the next term of its series, by a small step where the derivative is the largest."""
     u, eps = 0.3 + np.linspace(0, 1 / k, 2001), 1e-2 / k
     (errors, _), _ = errors_and_terms(HEIGHT_FIELDS["sine"], (u, 1 / 8, k, 4.0, eps), method)
     assert 0.999 < errors.max() / RULES[method].smooth(eps, k) < 1
-
-
-def test_the_bound_near_the_best_step_is_as_it_was():
-    assert bounds_of(HEIGHT_FIELDS["sine"])(0.31, 0.47, 8.0, 4.0, 1e-9)[2] == pytest.approx(1.56e-7, rel=1e-2)
 
 
 @np.errstate(all="ignore")
@@ -250,11 +223,3 @@ def test_the_creases_are_where_the_factors_are_zero():
         turns = a * at_u + b * at_v + offset
         assert np.abs(turns - np.rint(turns)).max() < 1e-12
         assert np.abs(a * at_v + b * at_u).max() > 0.1  # u and v the wrong way round are seen
-
-
-def test_a_difference_straddles_circles_and_not_the_pole():
-    """At v < ε the difference is clamped at the pole, where |sin πk_v v| ends; at v = 1/k_v it crosses the crease."""
-    straddling = kernels.FIELDS["ridges"]["straddling"]
-    flags = straddling(0.05, np.array([1e-9, 1e-4, 0.009, 0.2499, 0.2501, 0.26]), 8.0, 4.0, 1e-3)
-    assert_array_equal(flags, [0, 0, 0, 1, 1, 0])
-    assert straddling(np.float64(0.05), np.float64(0.03), 8.0, 16.0, 0.05) == 1  # the first circle, past the pole

@@ -33,7 +33,6 @@ def test_the_second_checker_agrees(record_property, pytestconfig):
     record_property("agreed", "the second checker")
 
 
-@pytest.mark.parametrize("theorem_id", THEOREMS)
 def test_theorem(theorem_id, record_evidence, pytestconfig):
     theorem = THEOREMS[theorem_id]
     if library := measurements.library_for(theorem_id):

@@ -26,10 +26,10 @@ OF_WAVES = {name: field for name, field in HEIGHT_FIELDS.items() if field.wave_n
 """The fields that turn with one product of a wave number and a coordinate: of no other is a bound claimed."""
 
 
-def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.ndarray:
+def errors_at(field: HeightField, at: Inputs) -> np.ndarray:
     """Return the errors of the algebraic gradient at image points in units of (1 + k) π k 2^-53.
 
-    at: eye, radius, x, y, k_u, k_v. sides_certain: 0 where a crease is so near that its side is not.
+    at: eye, radius, x, y, k_u, k_v. It is 0 where a crease is so near that its side is not certain.
     """
     true_factors = factors(field)
     reference = chain("from_image", angles_on_a, chart, gradient(field), outputs=(*true_factors.outputs, h_u, h_v))
@@ -38,7 +38,7 @@ def errors_at(field: HeightField, at: Inputs, sides_certain: bool = True) -> np.
     algebraic = chain("image_gradient", angles_on_a, algebraic_gradient(field, at["k_u"], at["k_v"]))
     computed, true = in_float64(algebraic, at), in_balls(reference, at)
     off = np.maximum(*(distance(computed[name], true[name]) for name in SLOPES)) / (math.pi * k * UNIT) / (1 + k)
-    if field.creases and sides_certain:
+    if field.creases:
         sines = np.array([true[s.name] for s in (sin_u, sin_v)])
         off = np.where((abs(sines).astype(float) > ALGEBRAIC_GRADIENT * (1 + k) * UNIT).all(axis=0), off, 0.0)
     return off

@@ -7,9 +7,7 @@ import json
 
 import numpy as np
 from numpy.testing import assert_array_equal
-from sympy import Rational
 
-from proofs.formulas import exponential
 from proofs.formulas.certified import POWER_RATE, PROVED, ROUNDINGS
 from renderer import kernels
 from verify.coq import formal
@@ -29,10 +27,6 @@ def test_the_enclosing_machine_charges_enough():
     most |= {"sinpi": PROVED["of_product_relative"], "cospi": PROVED["of_product_relative"]}
     for name, charge in ROUNDINGS.items():
         assert most[name] - charge <= (min(charge, 8) if name in ("exp", "power", "small_power") else 0), name
-
-
-def test_a_constant_of_few_binary_places_has_no_rest():
-    assert exponential._in_two(Rational(3, 2)) == (Rational(3, 2), 0)
 
 
 @np.errstate(all="ignore")

@@ -1,4 +1,4 @@
-"""Errors of slopes: the U-curve taken apart, its best step, the algebraic gradient's worst.
+"""Errors of slopes: the U-curve taken apart, its best step.
 
 By theorem `difference_bounds`, run with the others, every point lies below its bound.
 """
@@ -10,7 +10,6 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS, gradient
 from renderer import Scene, central, gradient_at
 from verify.accuracy import best_step
 from verify.accuracy.differences import CASES, SLOPES, STEPS, escapes, parts
-from verify.accuracy.gradient_errors import errors_at
 from verify.evaluate.arrays import in_balls, signed_distance
 
 SOME = STEPS[::20]
@@ -36,11 +35,3 @@ def test_the_best_step_is_where_it_is_predicted(k, representable):
     proved, measured = best_step.predicted(k, representable), best_step.measured(k, representable)
     assert proved.step / 4 < measured.step < proved.step * 2
     assert proved.floor / 20 < measured.floor <= proved.floor
-
-
-# The algebraic gradient, once the sides of the creases are certain
-
-
-def test_a_crease_has_to_be_excluded():
-    at = {"x": [0.8437497769106547], "y": [-0.5637755766808735], "eye": 2.0, "radius": 1.0, "k_u": 64.0, "k_v": 64.0}
-    assert errors_at(HEIGHT_FIELDS["ridges"], at, sides_certain=False) > 1e10

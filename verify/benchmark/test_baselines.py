@@ -8,11 +8,9 @@ from numpy.testing import assert_array_equal
 
 from renderer import Scene, central, exact, render
 from renderer.kernels import FIELDS
-from renderer.machines import native
 from renderer.picture.facts import SEED_MODELS
 from renderer.picture.stage import SURFACE_BITS
 from verify.benchmark.baselines.seed_loops import PRINTED, seed_loops
-from verify.benchmark.frames import on_numpy
 
 SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradient to agree on
 LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
@@ -44,9 +42,3 @@ def test_the_seed_loops_with_the_seeds_own_quadratic_are_told_apart():
     _, surfaces, *_ = seed_loops(Scene(), 8, 8, quadratic=PRINTED)
     assert (surfaces == 2).all()
     assert (surfaces != render(Scene(), 8, 8).chambers & SURFACE_BITS).any()
-
-
-def test_numpy_draws_our_picture(monkeypatch):
-    ours = render(Scene(), 64, 64).rgb
-    monkeypatch.delattr(native, "drawer")
-    assert_array_equal(on_numpy(Scene(), 64, 64, 2).rgb, ours)

@@ -3,23 +3,12 @@
 The last is asked of the committed run, as the ledger asks that none beats ours; what is not installed is left out.
 """
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from proofs.engine.program import Program
-from renderer import Scene, central, exact, render
-from verify.benchmark import work_precision
 from verify.benchmark.methods.table import METHODS
-from verify.benchmark.work_precision import (
-    SIDE,
-    image_error,
-    largest_error,
-    peers_that_beat,
-    points_for,
-    unbeaten_by_ours,
-)
+from verify.benchmark.work_precision import largest_error, peers_that_beat, points_for, unbeaten_by_ours
 from verify.evidence.records import read
 
 RESULT = read("work_precision")
@@ -36,23 +25,6 @@ def test_a_better_method_would_be_seen():
     for ns, error, beats, left in ((4.0, 1e-15, 1, 1), (6.0, 1e-15, 0, 1), (4.0, 1e-13, 0, 1), (6.0, 1e-13, 0, 0)):
         rows = [ours, {"method": "theirs", "ours": False, "ns": ns, "error": error}]
         assert (len(peers_that_beat(rows)), len(unbeaten_by_ours(rows))) == (beats, left)
-
-
-def test_image_errors_are_against_50_digits():
-    """On a few pixels: the exact frame is right to rounding, a difference is not."""
-    scene = Scene(field="sine")
-    reference = work_precision.reference_pixels(scene, 5)
-    frames = (render(scene, SIDE, SIDE, method) for method in (exact(), central(1e-2)))
-    right, rough = (image_error(frame, *reference)[0] for frame in frames)
-    assert right <= 5e-14 < 1e-4 < rough
-
-
-def test_a_small_run_has_a_row_for_every_value(monkeypatch):
-    central_ = next(method for method in METHODS if method.name == "central")
-    monkeypatch.setattr(work_precision, "METHODS", [replace(central_, values=(1e-1, 1e-2, 1e-3))])
-    rows = work_precision.gradient_rows(rounds=2)
-    assert [(row["method"], row["value"]) for row in rows] == [("central", 1e-1), ("central", 1e-2), ("central", 1e-3)]
-    assert 0 < rows[2]["error"] < rows[1]["error"] < rows[0]["error"]
 
 
 POINTS = 200

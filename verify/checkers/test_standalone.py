@@ -1,7 +1,6 @@
-"""Bare Python accepts every certificate, and no stand-alone script once a number or a statement is changed."""
+"""Bare Python accepts no stand-alone script once a number or a statement is changed."""
 
 import inspect
-import re
 import subprocess
 import sys
 
@@ -10,21 +9,12 @@ import pytest
 from proofs import check
 from proofs.engine import kernel, standalone
 from proofs.engine.standalone import standalone_script
-from verify.evidence.sources import ROOT
 
 
 def bare(*command):
     """Run Python with the standard library alone; return its status, what it printed and its errors."""
     done = subprocess.run([sys.executable, "-I", "-S", "-X", "utf8", *command], capture_output=True, encoding="utf-8")
     return done.returncode, done.stdout, done.stderr
-
-
-def test_all_stored_certificates_are_accepted():
-    code = "import sys; sys.path.insert(0, sys.argv[1]); from proofs.check import main; sys.exit(main([]))"
-    status, printed, errors = bare("-c", code, str(ROOT))
-    assert (status, errors) == (0, "")
-    accepted, total = re.findall(r"(\d+) of (\d+) certificates accepted", printed)[0]
-    assert accepted == total != "0"
 
 
 SCRIPTS = [  # what is changed behind the first certificate's beginning
