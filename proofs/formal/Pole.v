@@ -26,16 +26,8 @@ Proof.
   repeat split; [exact L | assumption |]. match goal with |- ?a > 0 => replace a with (PI ^ 2 * (k_v * sin (k_u * (theta + PI) / 2)) ^ 2) by
     (symmetry; etransitivity; [exact L | ring]) end. apply Rmult_gt_0_compat; [nra | assumption].
 Qed.
-Theorem pole__rings : Statements.pole__rings.
-Proof. pole_lines. rewrite neg_cos, neg_sin. repeat split; on_the_circle theta. Qed.
 Theorem pole__surface_gradient : Statements.pole__surface_gradient.
 Proof. red. intros. lines. field_simplify_eq. ring [(sin_squared theta) (sin_squared (k_u * (theta + PI) / 2))]. Qed.
-Theorem pole__surface_gradient_differs : Statements.pole__surface_gradient_differs.
-Proof.
-  red. intros k t x y K S. generalize (pole__surface_gradient k t). fold x y. intro E.
-  assert (P : ((1 - 1 / 4 * k ^ 2) * sin (k * (t + PI) / 2) ^ 2) ^ 2 > 0) by (rewrite Rpow_mult_distr; apply Rmult_gt_0_compat; [exact K | apply pow_lt, S]).
-  repeat split; [exact E | exact P |]. rewrite E. eapply Rlt_le_trans; [exact P | right; field].
-Qed.
 Theorem pole__surface_gradient_0 : Statements.pole__surface_gradient_0.
 Proof. red. intros. lines. replace (0 * (theta + PI) / 2) with 0 by field. rewrite sin_0. split; field. Qed.
 Theorem pole__surface_gradient_2 : Statements.pole__surface_gradient_2.
