@@ -7,13 +7,8 @@ From Formal Require Import Camera Preliminaries Formulas Fields Claim Derivative
 From Formal Require Statements.
 Open Scope R_scope.
 
-Lemma over_a_span s x y : 0 < s -> y = s * x -> y >= 0 -> x >= 0.
-Proof. intros S -> Y. apply Rle_ge, Rmult_le_reg_l with s; lra. Qed.
-
 Theorem clamped_difference__clamp : Statements.clamped_difference__clamp.
 Proof. red. intros. lines. rewrite Rmin_right, Rmax_right by lra. destruct both as [[]|_]; repeat split; lra. Qed.
-Ltac at_the_pole span := match goal with E : ?e > 0, V : ?v >= 0, L : ?v - ?e < 0, T : ?e + ?v <= 1 |- _ =>
-  assert (Span : span = e + v) by apply (clamped_difference__clamp e v E V L T) end.
 Theorem clamped_difference__at_the_pole_itself : Statements.clamped_difference__at_the_pole_itself.
 Proof. claim. Qed.
 
