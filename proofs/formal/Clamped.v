@@ -7,6 +7,9 @@ From Formal Require Import Camera Preliminaries Formulas Fields Claim Derivative
 From Formal Require Statements.
 Open Scope R_scope.
 
+Lemma over_a_span s x y : 0 < s -> y = s * x -> y >= 0 -> x >= 0.
+Proof. intros S -> Y. apply Rle_ge, Rmult_le_reg_l with s; lra. Qed.
+
 Theorem clamped_difference__clamp : Statements.clamped_difference__clamp.
 Proof. red. intros. lines. rewrite Rmin_right, Rmax_right by lra. destruct both as [[]|_]; repeat split; lra. Qed.
 Theorem clamped_difference__at_the_pole_itself : Statements.clamped_difference__at_the_pole_itself.

@@ -1,6 +1,6 @@
 (* The derivative of N' by beta, the displaced surface's normal, and why the bumped one is another. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Vectors Claim Bump BumpClaims Derivatives.
 From Formal Require Statements.

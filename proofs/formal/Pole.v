@@ -7,7 +7,7 @@ From Formal Require Statements.
 Open Scope R_scope.
 
 Lemma half_turned k t : PI * (k * (t + PI) / (2 * PI)) = k * (t + PI) / 2.
-Proof. pose proof PI_RGT_0. field. lra. Qed.
+Proof. field. apply PI_neq0. Qed.
 Ltac pole_lines := red; intros; lines; rewrite ?half_turned; repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?cos_0.
 Ltac on_the_circle t := ring [(sin_squared t)].
 
@@ -71,7 +71,7 @@ Theorem pole__sine_limit : let s := PI * k_v * sin (PI * (k_u * u)) in
   magnitude (s * cos theta, s * sin theta, 0) = PI * Rabs (k_v * sin (PI * (k_u * u))).
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. set (t := k_v * sin (PI * (k_u * u))).
-  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin_squared theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult,
+  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; on_the_circle theta). rewrite sqrt_Rsqr_abs, Rabs_mult,
     Rabs_pos_eq by lra. reflexivity.
 Qed.
 (* Rings' tends to 2 pi k_v (cos theta, sin theta, 0): on opposite meridians 4 pi |k_v| apart. *)
@@ -82,7 +82,7 @@ Theorem pole__rings_limit : let s := 2 * PI * k_v in
   magnitude (difference (s * cos theta, s * sin theta, 0) (s * cos (theta + PI), s * sin (theta + PI), 0)) = 4 * PI * Rabs k_v.
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. rewrite neg_cos, neg_sin.
-  unfold magnitude, dot, difference, vector_sum, scaled. replace (_ + _) with (Rsqr (4 * PI * k_v)) by (unfold Rsqr; ring [(sin_squared theta)]).
+  unfold magnitude, dot, difference, vector_sum, scaled. replace (_ + _) with (Rsqr (4 * PI * k_v)) by (unfold Rsqr; on_the_circle theta).
   rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
 Qed.
 End meridian.

@@ -1,7 +1,7 @@
 (* The rules of slopes compose: however the inputs move, the slope that is computed with a line is the derivative of its value. *)
 
 From Coquelicot Require Import Coquelicot.
-From Coq Require Import Reals Lra Lia ZArith List.
+From Coq Require Import Reals Lra ZArith List.
 From Flocq Require Import Core.
 From Formal Require Import Preliminaries Float Programs Fields ImageDerivative EnclosingOperations.
 Open Scope R_scope.
@@ -9,7 +9,7 @@ Import ListNotations.
 
 (* A number of a program: whether it has a slope, its value, and that slope. *)
 Definition sloped : Type := Prop * (R * R).
-Definition still_number : sloped := (True, (0, 0)).
+Definition still_number := (True, (0, 0)).
 Definition slope_by_rule (o : operation) (given : list (R * R)) : R :=
   match o, given with
   | Negative, [(_, d)] => - d
@@ -125,7 +125,7 @@ Proof.
   - given_slopes. pose proof Znearest_half (fun n => negb (Z.even n)) (f t) as B. fold (rint (f t)) in B. set (n := rint _) in *.
     apply (whole_nearby f rint dx n (n - / 2) (n + / 2)); [assumption | revert B; unfold Rabs in *; destruct Rcase_abs; lra|].
     intros y Y. unfold n, rint in *. f_equal. apply Znearest_imp, Rabs_def1; lra.
-  - given_slopes. destruct (angle_nearby f g) as [c L]; [eexists; eassumption | eexists; eassumption | assumption |]. apply (is_derive_ext_loc _ _ _ _ L).
+  - given_slopes. destruct (angle_nearby f g) as [c L]; try (eexists; eassumption); try assumption. apply (is_derive_ext_loc _ _ _ _ L).
     assert (g t <> 0) by lra. by_rules. pose proof PI_neq0. field. repeat split; nra.
   - given_slopes. apply (is_derive_ext_loc (fun s => exp (g s * ln (f s)))).
     + assert (E : ex_derive f t) by (eexists; eassumption). generalize (same_side_nearby f t 0 E ltac:(lra)). apply filter_imp. intros s P.
