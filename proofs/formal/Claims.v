@@ -88,8 +88,6 @@ Proof.
   assert ((a * s - b) ^ 2 = d) by (transitivity (a * (c + a * s ^ 2 - 2 * b * s) + (b ^ 2 - a * c)); [ring | put (c + a * s ^ 2 - 2 * b * s); lra]).
   pose proof (pow2_ge_0 (a * s - b)). each given.
 Qed.
-Theorem occlusion_by_signs__quadratic : Statements.occlusion_by_signs__quadratic.
-Proof. red. intros. each ltac:(first [solve [lines; ring] | unfold segment_squared; nra]). Qed.
 
 Theorem image_derivative__power_rule : Statements.image_derivative__power_rule.
 Proof.
@@ -157,22 +155,10 @@ Proof.
 Qed.
 Theorem seam__rings : Statements.seam__rings.
 Proof. slopes. Qed.
-Theorem kink_loci__crease_u : Statements.kink_loci__crease_u.
-Proof.
-  red. intros. unfold h, crease. replace (PI * (k_u * m / k_u)) with (PI * m) by (field; lra). put (sin (PI * m)). rewrite Rmult_0_l, Rabs_R0. repeat
-    split; lra.
-Qed.
-Theorem kink_loci__crease_v : Statements.kink_loci__crease_v.
-Proof.
-  red. intros. unfold h, crease. replace (PI * (k_v * m / k_v)) with (PI * m) by (field; lra). put (sin (PI * m)). rewrite Rmult_0_r, Rabs_R0. repeat
-    split; lra.
-Qed.
 Theorem kink_loci__elsewhere_above : Statements.kink_loci__elsewhere_above.
 Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
 Theorem kink_loci__elsewhere_below : Statements.kink_loci__elsewhere_below.
 Proof. red; intros. each ltac:(first [slope | derivatives; shown]). Qed.
-Theorem occlusion_by_signs__program : Statements.occlusion_by_signs__program.
-Proof. claim. Qed.
 Theorem lagrange_identity__of_b : Statements.lagrange_identity__of_b.
 Proof. claim. Qed.
 Theorem lagrange_identity__of_shadow : Statements.lagrange_identity__of_shadow.
@@ -196,13 +182,7 @@ Theorem shadow_along_a_row__away : Statements.shadow_along_a_row__away.
 Proof. claim. Qed.
 Theorem difference_bound__light_0 : Statements.difference_bound__light_0.
 Proof. claim. Qed.
-Theorem difference_bound__light_1 : Statements.difference_bound__light_1.
-Proof. claim. Qed.
-Theorem difference_bound__light_2 : Statements.difference_bound__light_2.
-Proof. claim. Qed.
 Theorem difference_bound__clip : Statements.difference_bound__clip.
-Proof. claim. Qed.
-Theorem difference_bound__all_lights : Statements.difference_bound__all_lights.
 Proof. claim. Qed.
 Theorem image_derivative__mu : Statements.image_derivative__mu.
 Proof. red. intros. subst s. repeat split; slope. Qed.

@@ -12,19 +12,6 @@ Proof. intros S -> Y. apply Rle_ge, Rmult_le_reg_l with s; lra. Qed.
 
 Theorem clamped_difference__clamp : Statements.clamped_difference__clamp.
 Proof. red. intros. lines. rewrite Rmin_right, Rmax_right by lra. destruct both as [[]|_]; repeat split; lra. Qed.
-Ltac at_the_pole span := match goal with E : ?e > 0, V : ?v >= 0, L : ?v - ?e < 0, T : ?e + ?v <= 1 |- _ =>
-  assert (Span : span = e + v) by apply (clamped_difference__clamp e v E V L T) end.
-Theorem clamped_difference__first_order : Statements.clamped_difference__first_order.
-Proof.
-  red. intros. at_the_pole span_v. assert (D : (epsilon + v) * (h_v - slope) = bend_plus * epsilon ^ 2 / 2 - bend_minus * v ^ 2 / 2).
-  { unfold h_v, h_v_plus, h_v_minus. rewrite Span. field. lra. }
-  clearbody h_v. assert (E : 0 <= epsilon ^ 2) by apply pow2_ge_0. assert (V : 0 <= v ^ 2) by apply pow2_ge_0.
-  assert (B : largest * (epsilon ^ 2 + v ^ 2) / 2 - (epsilon + v) * (h_v - slope) >= 0) by (rewrite D; nra).
-  assert (C : largest * (epsilon ^ 2 + v ^ 2) / 2 + (epsilon + v) * (h_v - slope) >= 0) by (rewrite D; nra).
-  repeat split; try lra; [revert B | revert C]; apply (over_a_span (epsilon + v)); try field; lra.
-Qed.
-Theorem clamped_difference__first_order_sharp : Statements.clamped_difference__first_order_sharp.
-Proof. red. intros. at_the_pole span_v. unfold h_v, h_v_plus, h_v_minus. rewrite Span. repeat split; try field; lra. Qed.
 Theorem clamped_difference__at_the_pole_itself : Statements.clamped_difference__at_the_pole_itself.
 Proof. claim. Qed.
 
@@ -126,14 +113,6 @@ Proof.
   intros k_u k_v u v K V L. generalize (sine_on_a_hump (k_v * v) ltac:(nra)) (Rabs_pos (sin (u * PI * k_u))).
   printed_angles. intros S U.
   rewrite Rabs_mult, (Rabs_pos_eq _ S). repeat split; nra.
-Qed.
-Theorem clamped_difference_of_odd__second_order : Statements.clamped_difference_of_odd__second_order.
-Proof.
-  red. intros. at_the_pole span_v. set (rise := (epsilon + v) ^ 2 / 8 - 1 / 2 * v ^ 2). assert (R0 : rise >= 0) by (unfold rise; nra).
-  assert (D : h_v - slope = bend_minus * rise + bend_plus * (epsilon + v) ^ 2 / 24).
-  { unfold h_v, h_v_plus, h_v_minus, rise. rewrite Span. field. lra. }
-  assert (W : 1 / 6 * epsilon ^ 2 + 1 / 3 * epsilon * v - 1 / 3 * v ^ 2 = rise + (epsilon + v) ^ 2 / 24) by (unfold rise; field). rewrite W.
-  clearbody h_v rise. assert (E : 0 <= (epsilon + v) ^ 2) by apply pow2_ge_0. set (q := (epsilon + v) ^ 2) in *. repeat split; try lra; nra.
 Qed.
 Theorem clamped_difference_of_odd__second_order_sharp : Statements.clamped_difference_of_odd__second_order_sharp.
 Proof. claim. Qed.

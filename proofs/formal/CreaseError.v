@@ -29,9 +29,6 @@ Proof.
   assert (X3 : y * y ^ 2 <= x * x ^ 2) by (apply Rmult_le_compat; nra).
   replace (PI * d * k) with y by (unfold y; ring). replace (PI * e * k) with x by (unfold x; ring). clearbody rest. repeat split; first [lra | nra].
 Qed.
-Theorem crease_error_area__mirrored : Statements.crease_error_area__mirrored.
-Proof. intros d e k difference after E. unfold difference, after. replace (- d * PI * k) with (- (d * PI * k)) by ring. rewrite cos_neg, sin_neg.
-  split; [lra | field; lra]. Qed.
 Theorem crease_error_area__tents : Statements.crease_error_area__tents.
 Proof.
   intros d e k E K. generalize PI_RGT_0. intro P. assert (D : is_derive (fun d : R => (d - e) ^ 3 / (3 * e ^ 2)) d ((d - e) ^ 2 / e ^ 2)) by

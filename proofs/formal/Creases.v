@@ -23,16 +23,6 @@ Proof.
   replace (PI * (k * (d - e))) with (- (PI * (k * (e - d)))) by ring. rewrite sin_neg, Rabs_Ropp, (Rabs_pos_eq _ S), (Rabs_pos_eq _ T). split; [lra|].
     alike. field. lra.
 Qed.
-Theorem straddling__at_the_crease : Statements.straddling__at_the_crease.
-Proof. claim. Qed.
-Theorem straddling__slope_after : Statements.straddling__slope_after.
-Proof.
-  intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_1 by lra. ring.
-Qed.
-Theorem straddling__slope_before : Statements.straddling__slope_before.
-Proof.
-  intros d k S. revert S. beside_half. same_angles. intro. rewrite sign_eq_m1 by lra. ring.
-Qed.
 
 (* Beside any crease of ridges, in u and in v: what the kernels print as difference and as slope. *)
 Lemma sine_of_whole n : sin (PI * IZR n) = 0.

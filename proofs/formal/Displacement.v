@@ -1,6 +1,6 @@
 (* The derivative of N' by beta, the displaced surface's normal, and why the bumped one is another. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Vectors Claim Bump BumpClaims Derivatives.
 From Formal Require Statements.
@@ -25,8 +25,6 @@ End by_beta.
 
 (* The printed claims *)
 
-Theorem displaced_normal__chart_scale : Statements.displaced_normal__chart_scale.
-Proof. slopes. Qed.
 Theorem displaced_normal__product : Statements.displaced_normal__product.
 Proof.
   red. intros. subst theta_0 phi_0. derivatives. assert (P : cos phi ^ 2 = 1 - sin phi ^ 2) by (rewrite <- !Rsqr_pow2; apply cos2).

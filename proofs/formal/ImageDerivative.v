@@ -1,6 +1,6 @@
 (* The image's derivative by beta: the chain rule through the lines of the shading. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Vectors Fields.
 Open Scope R_scope.

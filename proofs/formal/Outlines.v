@@ -27,15 +27,6 @@ Proof.
   assert (hits_b = 1) by (unfold hits_b; repeat (destruct both as [|]; try lra)). each ltac:(first [assumption | lra]).
 Qed.
 
-Theorem hit_of_b__near : Statements.hit_of_b__near.
-Proof.
-  red. intros. set (a := (- eye) * (- eye) + x * x + y * y). root_of_b a discriminant_b toward_b t_b root_b. assert (A : a > 0) by (unfold a; nra).
-  assert (S : (a * t - toward_b) ^ 2 = root_b ^ 2).
-  { rewrite QQ, Q. transitivity (toward_b ^ 2 - a * c + a * (a * t ^ 2 - 2 * toward_b * t + c)); [ring|].
-    replace (a * t ^ 2 - 2 * toward_b * t + c) with 0; [ring|]. unfold a, toward_b, c, distance. lra. }
-  assert (N : root_b + t * a - toward_b >= 0) by nra. assert (t >= t_b) by (apply Rle_ge, (Rmult_le_reg_l a); lra).
-  each ltac:(first [assumption | lra]).
-Qed.
 Theorem hit_of_b__outward : Statements.hit_of_b__outward.
 Proof.
   red. intros. root_of_b ray_length_squared discriminant_b toward_b t_b root_b.

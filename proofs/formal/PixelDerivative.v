@@ -1,6 +1,6 @@
 (* The image's derivative by beta, composed: from the bumped normal through the lines of the shading to the clip. *)
 
-From Coq Require Import Reals Lra Psatz.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Formal Require Import Preliminaries Formulas Vectors Fields Displacement ImageDerivative.
 Open Scope R_scope.

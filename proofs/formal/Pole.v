@@ -7,7 +7,7 @@ From Formal Require Statements.
 Open Scope R_scope.
 
 Lemma half_turned k t : PI * (k * (t + PI) / (2 * PI)) = k * (t + PI) / 2.
-Proof. pose proof PI_RGT_0. field. lra. Qed.
+Proof. field. apply PI_neq0. Qed.
 Ltac pole_lines := red; intros; lines; rewrite ?half_turned; repeat rewrite ?Rmult_0_l, ?Rmult_0_r, ?sin_0, ?cos_0.
 Ltac on_the_circle t := ring [(sin_squared t)].
 
@@ -26,16 +26,8 @@ Proof.
   repeat split; [exact L | assumption |]. match goal with |- ?a > 0 => replace a with (PI ^ 2 * (k_v * sin (k_u * (theta + PI) / 2)) ^ 2) by
     (symmetry; etransitivity; [exact L | ring]) end. apply Rmult_gt_0_compat; [nra | assumption].
 Qed.
-Theorem pole__rings : Statements.pole__rings.
-Proof. pole_lines. rewrite neg_cos, neg_sin. repeat split; on_the_circle theta. Qed.
 Theorem pole__surface_gradient : Statements.pole__surface_gradient.
 Proof. red. intros. lines. field_simplify_eq. ring [(sin_squared theta) (sin_squared (k_u * (theta + PI) / 2))]. Qed.
-Theorem pole__surface_gradient_differs : Statements.pole__surface_gradient_differs.
-Proof.
-  red. intros k t x y K S. generalize (pole__surface_gradient k t). fold x y. intro E.
-  assert (P : ((1 - 1 / 4 * k ^ 2) * sin (k * (t + PI) / 2) ^ 2) ^ 2 > 0) by (rewrite Rpow_mult_distr; apply Rmult_gt_0_compat; [exact K | apply pow_lt, S]).
-  repeat split; [exact E | exact P |]. rewrite E. eapply Rlt_le_trans; [exact P | right; field].
-Qed.
 Theorem pole__surface_gradient_0 : Statements.pole__surface_gradient_0.
 Proof. red. intros. lines. replace (0 * (theta + PI) / 2) with 0 by field. rewrite sin_0. split; field. Qed.
 Theorem pole__surface_gradient_2 : Statements.pole__surface_gradient_2.
@@ -79,7 +71,7 @@ Theorem pole__sine_limit : let s := PI * k_v * sin (PI * (k_u * u)) in
   magnitude (s * cos theta, s * sin theta, 0) = PI * Rabs (k_v * sin (PI * (k_u * u))).
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. set (t := k_v * sin (PI * (k_u * u))).
-  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; ring [(sin_squared theta)]). rewrite sqrt_Rsqr_abs, Rabs_mult,
+  unfold magnitude, dot. replace (_ + _) with (Rsqr (PI * t)) by (unfold Rsqr, t; on_the_circle theta). rewrite sqrt_Rsqr_abs, Rabs_mult,
     Rabs_pos_eq by lra. reflexivity.
 Qed.
 (* Rings' tends to 2 pi k_v (cos theta, sin theta, 0): on opposite meridians 4 pi |k_v| apart. *)
@@ -90,7 +82,7 @@ Theorem pole__rings_limit : let s := 2 * PI * k_v in
   magnitude (difference (s * cos theta, s * sin theta, 0) (s * cos (theta + PI), s * sin (theta + PI), 0)) = 4 * PI * Rabs k_v.
 Proof.
   cbv zeta. unfold_g. split; [limit | split; [limit | split; [limit|]]]. generalize PI_RGT_0. intro P. rewrite neg_cos, neg_sin.
-  unfold magnitude, dot, difference, vector_sum, scaled. replace (_ + _) with (Rsqr (4 * PI * k_v)) by (unfold Rsqr; ring [(sin_squared theta)]).
+  unfold magnitude, dot, difference, vector_sum, scaled. replace (_ + _) with (Rsqr (4 * PI * k_v)) by (unfold Rsqr; on_the_circle theta).
   rewrite sqrt_Rsqr_abs, Rabs_mult, Rabs_pos_eq by lra. reflexivity.
 Qed.
 End meridian.

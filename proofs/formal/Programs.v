@@ -17,9 +17,6 @@ Fixpoint run (V : Type) (m : machine V) (nothing : V) (p : program) (values : li
   | (o, places) :: rest => run V m nothing rest (values ++ [m o (taken V nothing values places)])
   end.
 
-Lemma run_length (V : Type) m nothing p : forall values, length (run V m nothing p values) = length values + length p.
-Proof. induction p as [|[o places] p IH]; intro values; simpl; [|rewrite IH, app_length; simpl]; lia. Qed.
-
 (* The values of a machine are those of the machine that it is built around, whatever else it carries with them. *)
 Theorem around (V W : Type) inside outer inner nothing : (forall o given, inside (outer o given) = inner o (map inside given)) -> forall p values,
   map inside (run V outer nothing p values) = run W inner (inside nothing) p (map inside values).

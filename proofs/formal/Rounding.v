@@ -38,20 +38,6 @@ Proof.
   - unfold h_u, h_u_plus, h_u_minus. field. lra.
   - repeat split; try apply R; lra.
 Qed.
-Theorem roundoff_bound__in_v : Statements.roundoff_bound__in_v.
-Proof.
-  red. intros. assert (S : span_v = 2 * epsilon) by (unfold span_v; destruct both as [|[A|A]]; lra).
-  destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (2 * epsilon) h_v) as (N & R); try assumption; [lra | | ].
-  - unfold h_v, h_v_plus, h_v_minus. rewrite S. field. lra.
-  - repeat split; try apply R; lra.
-Qed.
-Theorem roundoff_bound__clamped : Statements.roundoff_bound__clamped.
-Proof.
-  red. intros. at_the_pole span_v.
-  destruct (of_two_heights argument evaluation excess growth mean off_plus off_minus steepest (epsilon + v) h_v) as (N & R); try assumption.
-  - unfold h_v, h_v_plus, h_v_minus. rewrite Span. field. lra.
-  - rewrite (Rmult_comm mean (epsilon + v)). repeat split; try apply R; lra.
-Qed.
 Theorem roundoff_bound__two_roundings : Statements.roundoff_bound__two_roundings.
 Proof. claim. Qed.
 Theorem roundoff_bound__three_roundings : Statements.roundoff_bound__three_roundings.

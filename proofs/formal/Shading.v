@@ -16,13 +16,6 @@ Proof.
   assert (D : a ^ 2 - w ^ 2 >= 0) by (rewrite S; sum_of_squares). assert (- a <= w <= a) by (clear - A D; split; nra).
   split; [exact D | unfold w in *; split; lra].
 Qed.
-Theorem specular_lipschitz__clamps : Statements.specular_lipschitz__clamps.
-Proof. red. intros. unfold Rabs, Rmax, Rmin. repeat destruct Rle_dec; destruct Rcase_abs; lra. Qed.
-Theorem specular_lipschitz__blinn : Statements.specular_lipschitz__blinn.
-Proof.
-  red. intros. match goal with L : halfway_length ^ 2 = _ |- _ => rewrite <- L end. repeat split; [lra | apply pow_nonzero; lra | field; lra |
-    field; lra].
-Qed.
 Theorem specular_lipschitz__gram : Statements.specular_lipschitz__gram.
 Proof.
   intros mx my mz nx ny nz ox oy oz N M O. ring [(last_squared _ _ _ N) (last_squared _ _ _ M) (last_squared _ _ _ O)].
@@ -30,18 +23,6 @@ Qed.
 Theorem specular_lipschitz__twice : Statements.specular_lipschitz__twice.
 Proof.
   intros a d b c t D G T A. assert (4 * d ^ 2 >= t ^ 2) by (rewrite T, A; assert (0 <= (1 - c) ^ 2) by apply pow2_ge_0; lra). split; [assumption | nra].
-Qed.
-Theorem specular_lipschitz__no_state_is_negative : Statements.specular_lipschitz__no_state_is_negative.
-Proof. red. intros. repeat split; nra. Qed.
-Theorem specular_lipschitz__power : Statements.specular_lipschitz__power.
-Proof. red. intros. assert (power_ >= quotient) by nra. repeat split; nra. Qed.
-Theorem specular_lipschitz__factors : Statements.specular_lipschitz__factors.
-Proof.
-  intros x z ox oz p q g bx bz X0 X Z0 Z P0 P Q0 Q G0 G BX0 BX BZ0 BZ n.
-  induction n as [|n (A & B & C)]; [rewrite X0, Z0, P0, Q0, G0, BX0, BZ0; repeat split; ring|].
-  rewrite X, Z, P, Q, G, BX, BZ. repeat split; [|lra|].
-  - replace (ox n) with (oz n + q n * (x - z)) by lra. ring.
-  - transitivity ((p n - q n) * x + p n * (1 - x) + (1 - oz n)); [ring | rewrite B, C; ring].
 Qed.
 Theorem specular_lipschitz__mirror : Statements.specular_lipschitz__mirror.
 Proof.
@@ -51,32 +32,11 @@ Theorem squared_highlight__base : Statements.squared_highlight__base.
 Proof.
   intros a l k d s b S L A. subst a. transitivity (b ^ 2 * (k * d * s)); [rewrite <- L; ring | rewrite S; ring].
 Qed.
-Theorem squared_highlight__halfway : Statements.squared_highlight__halfway.
-Proof.
-  red. intros. assert (distance_squared >= 0) by sum_of_squares.
-  change (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) with distance_squared in *. change light_distance_plain with
-    light_distance in *.
-  repeat split; try assumption; try (apply Rgt_not_eq; assumption); lines; field; apply Rgt_not_eq; assumption.
-Qed.
 Theorem squared_highlight__opposite : Statements.squared_highlight__opposite.
 Proof.
   red. intros. assert (halfway_squared = 0) by (unfold halfway_squared; put halfway_x; put halfway_y; put halfway_z; ring).
   unfold mu. destruct (Rlt_dec 0 halfway_squared); [lra|].
   repeat split; try lra. sum_of_squares.
-Qed.
-Theorem squared_highlight__cosine : Statements.squared_highlight__cosine.
-Proof.
-  red. intros. change light_distance_plain with light_distance in *.
-  assert (S : distance_squared >= 0) by sum_of_squares.
-  assert (L : light_distance <> 0).
-  { intro Z. assert (distance_squared = 0) by (apply sqrt_eq_0; [apply Rge_le, S | exact Z]). unfold distance_squared in *. 
-    assert (X : to_light_x = 0) by nra. assert (Y : to_light_y = 0) by nra. assert (W : to_light_z = 0) by nra. 
-    assert (halfway_squared = 0); [|lra]. unfold halfway_squared, halfway_x, halfway_y, halfway_z. rewrite Z, X, Y, W. ring. }
-  assert (K : halfway_squared <> 0) by lra. repeat split; trivial.
-  unfold mu, light_scale. destruct (Rlt_dec 0 halfway_squared) as [_|X]; [|lra].
-  unfold mu_plain, towards_x_plain, towards_y_plain, towards_z_plain, light_scale_plain, along_light. change light_distance_plain with light_distance.
-    change to_light_x_plain with to_light_x. change to_light_y_plain with to_light_y. change to_light_z_plain with to_light_z. clearbody
-    light_distance halfway_squared. field. split; assumption.
 Qed.
 
 (* For every whole p, x^p is Lipschitz with p on [0, 1]: by induction. *)

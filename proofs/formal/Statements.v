@@ -179,45 +179,6 @@ Definition clamped_difference__clamp : Prop :=
   v_minus = 0 /\
   span_v = epsilon + v.
 
-Definition clamped_difference__first_order : Prop :=
-  forall bend_minus bend_plus epsilon here largest slope v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := bend_plus * epsilon ^ 2 / 2 + epsilon * slope + here in
-  let h_v_minus := bend_minus * v ^ 2 / 2 + here - slope * v in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v >= 0 ->
-  v - epsilon < 0 ->
-  epsilon + v <= 1 ->
-  bend_plus <= largest ->
-  bend_plus >= -largest ->
-  bend_minus <= largest ->
-  bend_minus >= -largest ->
-  span_v <> 0 /\
-  2 * (epsilon + v) <> 0 /\
-  largest * (epsilon ^ 2 + v ^ 2) / 2 - (epsilon + v) * (h_v - slope) >= 0 /\
-  largest * (epsilon ^ 2 + v ^ 2) / 2 + (epsilon + v) * (h_v - slope) >= 0 /\
-  largest * (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) - (h_v - slope) >= 0 /\
-  largest * (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)) + h_v - slope >= 0.
-
-Definition clamped_difference__first_order_sharp : Prop :=
-  forall epsilon v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := epsilon ^ 2 / 2 in
-  let h_v_minus := (-v ^ 2) / 2 in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v >= 0 ->
-  v - epsilon < 0 ->
-  epsilon + v <= 1 ->
-  span_v <> 0 /\
-  2 * (epsilon + v) <> 0 /\
-  h_v = (epsilon ^ 2 + v ^ 2) / (2 * (epsilon + v)).
-
 Definition clamped_difference__at_the_pole_itself : Prop :=
   forall epsilon v : R,
   let v_plus := epsilon + v in
@@ -462,31 +423,10 @@ Definition straddling__value : Prop :=
       1))) * (sin (PI * (k_u * (delta - epsilon))))))) / epsilon = (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u))
       / epsilon.
 
-Definition straddling__at_the_crease : Prop :=
-  forall epsilon k_u : R,
-  let difference := (sin (0 * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon in
-  let after := PI * k_u * (cos (0 * PI * k_u)) in
-  epsilon > 0 ->
-  epsilon <> 0 /\
-  difference = 0 /\
-  difference - after = -PI * k_u.
-
 Definition straddling__every_crease : Prop :=
   forall delta m : R,
   sin (PI * m) = 0 ->
   Rabs (sin (delta + PI * m)) = Rabs (sin delta).
-
-Definition straddling__slope_after : Prop :=
-  forall delta k_u : R,
-  1 * (sin (delta * PI * k_u)) > 0 ->
-  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI *
-      ((1 / 2) * 1))) = 1 * PI * k_u * (cos (delta * PI * k_u)).
-
-Definition straddling__slope_before : Prop :=
-  forall delta k_u : R,
-  -(sin (delta * PI * k_u)) > 0 ->
-  PI * k_u * (cos (PI * (delta * k_u))) * (sign ((sin (PI * ((1 / 2) * 1))) * (sin (PI * (delta * k_u))))) * (sin (PI *
-      ((1 / 2) * 1))) = -PI * k_u * (cos (delta * PI * k_u)).
 
 Definition seed_truncation_slope__descends : Prop :=
   ~ (
@@ -1230,23 +1170,6 @@ Definition specular_lipschitz__along_a_direction : Prop :=
   apart - (n_z * omega_z + n_x * omega_x + n_y * omega_y - (m_z * omega_z + m_x * omega_x + m_y * omega_y)) >= 0 /\
   apart + n_z * omega_z + n_x * omega_x + n_y * omega_y - (m_z * omega_z + m_x * omega_x + m_y * omega_y) >= 0.
 
-Definition specular_lipschitz__clamps : Prop :=
-  forall x z : R,
-  Rabs (x - z) - (Rmax 0 x - (Rmax 0 z)) >= 0 /\
-  Rmax 0 x - (Rmax 0 z) + Rabs (x - z) >= 0 /\
-  Rabs (x - z) - (Rmin 1 x - (Rmin 1 z)) >= 0 /\
-  Rmin 1 x - (Rmin 1 z) + Rabs (x - z) >= 0.
-
-Definition specular_lipschitz__blinn : Prop :=
-  forall halfway_length halfway_x halfway_y halfway_z n_x n_y n_z : R,
-  halfway_length > 0 ->
-  halfway_length ^ 2 = halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y ->
-  halfway_length <> 0 /\
-  halfway_length ^ 2 <> 0 /\
-  halfway_length * (halfway_x * n_x + halfway_y * n_y + halfway_z * n_z) / halfway_length = halfway_z * n_z + halfway_x
-      * n_x + halfway_y * n_y /\
-  (halfway_z * halfway_z + halfway_x * halfway_x + halfway_y * halfway_y) / (halfway_length ^ 2) = 1.
-
 Definition specular_lipschitz__gram : Prop :=
   forall m_x m_y m_z n_x n_y n_z omega_x omega_y omega_z : R,
   n_z * n_z + n_x * n_x + n_y * n_y = 1 ->
@@ -1291,61 +1214,6 @@ Definition specular_lipschitz__twice : Prop :=
   4 * apart ^ 2 >= turned ^ 2 /\
   2 * apart >= turned.
 
-Definition specular_lipschitz__factors : Prop :=
-  forall x z : R,
-  forall of_x of_z power_ quotient geometric by_x by_z : nat -> R,
-  of_x 0%nat = 1 ->
-  (forall count : nat, of_x (S count) = (of_x count) * x) ->
-  of_z 0%nat = 1 ->
-  (forall count : nat, of_z (S count) = (of_z count) * z) ->
-  power_ 0%nat = 0 ->
-  (forall count : nat, power_ (S count) = power_ count + 1) ->
-  quotient 0%nat = 0 ->
-  (forall count : nat, quotient (S count) = of_z count + (quotient count) * x) ->
-  geometric 0%nat = 0 ->
-  (forall count : nat, geometric (S count) = geometric count + of_z count) ->
-  by_x 0%nat = 0 ->
-  (forall count : nat, by_x (S count) = (by_x count) * x + power_ count) ->
-  by_z 0%nat = 0 ->
-  (forall count : nat, by_z (S count) = (by_z count) * x + geometric count) ->
-  forall count : nat,
-  of_x count - (of_z count) = (quotient count) * (x - z) /\
-  1 - (of_z count) = (geometric count) * (1 - z) /\
-  power_ count - (quotient count) = (by_x count) * (1 - x) + (by_z count) * (1 - z).
-
-Definition specular_lipschitz__no_state_is_negative : Prop :=
-  forall by_x by_z geometric of_x of_z power_ quotient x z : R,
-  x >= 0 ->
-  z >= 0 ->
-  of_x >= 0 ->
-  of_z >= 0 ->
-  power_ >= 0 ->
-  quotient >= 0 ->
-  geometric >= 0 ->
-  by_x >= 0 ->
-  by_z >= 0 ->
-  of_x * x >= 0 /\
-  of_z * z >= 0 /\
-  power_ + 1 >= 0 /\
-  of_z + quotient * x >= 0 /\
-  geometric + of_z >= 0 /\
-  by_x * x + power_ >= 0 /\
-  by_z * x + geometric >= 0.
-
-Definition specular_lipschitz__power : Prop :=
-  forall by_x by_z of_x of_z power_ quotient x z : R,
-  x <= 1 ->
-  z <= 1 ->
-  x >= z ->
-  quotient >= 0 ->
-  by_x >= 0 ->
-  by_z >= 0 ->
-  of_x - of_z = quotient * (x - z) ->
-  power_ - quotient = by_x * (1 - x) + by_z * (1 - z) ->
-  power_ >= quotient /\
-  power_ * (x - z) - (of_x - of_z) >= 0 /\
-  power_ * (x - z) + of_x - of_z >= 0.
-
 Definition highlight_below_one__root : Prop :=
   ~ (
   forall bound x : R,
@@ -1354,67 +1222,6 @@ Definition highlight_below_one__root : Prop :=
   bound >= 1 ->
   x >= 0 ->
   bound * x >= sqrt x).
-
-Definition squared_highlight__halfway : Prop :=
-  forall light_x light_y light_z point_x point_y point_z view_x view_y view_z : R,
-  let to_light_x := light_x - point_x in
-  let to_light_y := light_y - point_y in
-  let to_light_z := light_z - point_z in
-  let distance_squared := to_light_x ^ 2 + to_light_y ^ 2 + to_light_z ^ 2 in
-  let light_distance := sqrt distance_squared in
-  let halfway_x := light_distance * view_x + to_light_x in
-  let halfway_y := light_distance * view_y + to_light_y in
-  let halfway_z := light_distance * view_z + to_light_z in
-  let to_light_x_plain := light_x - point_x in
-  let to_light_y_plain := light_y - point_y in
-  let to_light_z_plain := light_z - point_z in
-  let light_distance_plain := sqrt (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) in
-  let light_scale_plain := / light_distance_plain in
-  let towards_x_plain := light_scale_plain * to_light_x_plain in
-  let towards_y_plain := light_scale_plain * to_light_y_plain in
-  let towards_z_plain := light_scale_plain * to_light_z_plain in
-  let halfway_x_plain := towards_x_plain + view_x in
-  let halfway_y_plain := towards_y_plain + view_y in
-  let halfway_z_plain := towards_z_plain + view_z in
-  light_distance > 0 ->
-  distance_squared >= 0 /\
-  to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2 >= 0 /\
-  light_distance_plain <> 0 /\
-  halfway_x = halfway_x_plain * light_distance /\
-  halfway_y = halfway_y_plain * light_distance /\
-  halfway_z = halfway_z_plain * light_distance.
-
-Definition squared_highlight__cosine : Prop :=
-  forall bumped_x bumped_y bumped_z light_x light_y light_z point_x point_y point_z view_x view_y view_z : R,
-  let to_light_x := light_x - point_x in
-  let to_light_y := light_y - point_y in
-  let to_light_z := light_z - point_z in
-  let distance_squared := to_light_x ^ 2 + to_light_y ^ 2 + to_light_z ^ 2 in
-  let light_distance := sqrt distance_squared in
-  let halfway_x := light_distance * view_x + to_light_x in
-  let halfway_y := light_distance * view_y + to_light_y in
-  let halfway_z := light_distance * view_z + to_light_z in
-  let halfway_squared := halfway_x ^ 2 + halfway_y ^ 2 + halfway_z ^ 2 in
-  let along_light := bumped_x * to_light_x + bumped_y * to_light_y + bumped_z * to_light_z in
-  let light_scale := (if Rlt_dec 0 halfway_squared then 1 / (halfway_squared * light_distance) else 0) in
-  let mu := (if Rlt_dec 0 halfway_squared then along_light * halfway_squared * light_scale else -bumped_x * view_x -
-      bumped_y * view_y - bumped_z * view_z) in
-  let to_light_x_plain := light_x - point_x in
-  let to_light_y_plain := light_y - point_y in
-  let to_light_z_plain := light_z - point_z in
-  let light_distance_plain := sqrt (to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2) in
-  let light_scale_plain := / light_distance_plain in
-  let towards_x_plain := light_scale_plain * to_light_x_plain in
-  let towards_y_plain := light_scale_plain * to_light_y_plain in
-  let towards_z_plain := light_scale_plain * to_light_z_plain in
-  let mu_plain := bumped_x * towards_x_plain + bumped_y * towards_y_plain + bumped_z * towards_z_plain in
-  halfway_squared > 0 ->
-  distance_squared >= 0 /\
-  (halfway_squared > 0 -> halfway_squared <> 0) /\
-  (halfway_squared > 0 -> light_distance <> 0) /\
-  to_light_x_plain ^ 2 + to_light_y_plain ^ 2 + to_light_z_plain ^ 2 >= 0 /\
-  light_distance_plain <> 0 /\
-  mu = mu_plain.
 
 Definition squared_highlight__base : Prop :=
   forall along_halfway halfway_length_plain halfway_squared light_distance light_scale specular_base_plain : R,
@@ -1479,28 +1286,6 @@ Definition hit_of_b__solves : Prop :=
   (eye * (1 - t_b) - ball_center_z) ^ 2 + (t_b * y - ball_center_y) ^ 2 + (t_b * x - ball_center_x) ^ 2 + 0 =
       ball_radius ^ 2 /\
   t_b > 0.
-
-Definition hit_of_b__near : Prop :=
-  forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
-  let distance := eye - ball_center_z in
-  let toward_b := ball_center_x * x + ball_center_y * y + distance * eye in
-  let discriminant_b := ball_radius ^ 2 * (eye ^ 2 + x ^ 2 + y ^ 2) - (ball_center_x * eye - distance * x) ^ 2 -
-      (ball_center_x * y - ball_center_y * x) ^ 2 - (distance * y - ball_center_y * eye) ^ 2 in
-  let root_b := sqrt (Rmax 0 discriminant_b) in
-  let t_b := (ball_center_x ^ 2 + ball_center_y ^ 2 + (distance - ball_radius) * (ball_radius + distance)) / (root_b +
-      toward_b) in
-  eye > 0 ->
-  discriminant_b >= 0 ->
-  toward_b > 0 ->
-  ball_on > 0 ->
-  (eye * (1 - t) - ball_center_z) ^ 2 + (t * y - ball_center_y) ^ 2 + (t * x - ball_center_x) ^ 2 + 0 = ball_radius ^ 2
-     ->
-  Rmax 0 discriminant_b >= 0 /\
-  root_b + toward_b <> 0 /\
-  (-eye) * (-eye) + x * x + y * y > 0 /\
-  t_b * ((-eye) * (-eye) + x * x + y * y) = toward_b - root_b /\
-  root_b + t * ((-eye) * (-eye) + x * x + y * y) - toward_b >= 0 /\
-  t >= t_b.
 
 Definition hit_of_b__behind : Prop :=
   forall ball_center_x ball_center_y ball_center_z ball_on ball_radius eye t x y : R,
@@ -1799,82 +1584,6 @@ Definition roundoff_bound__in_u : Prop :=
   excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_u - mean >=
      0.
 
-Definition roundoff_bound__in_v : Prop :=
-  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := off_plus + 2 * epsilon * mean + here in
-  let h_v_minus := here + off_minus in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v - epsilon >= 0 ->
-  epsilon + v <= 1 ->
-  excess - (growth - 1) >= 0 ->
-  excess + growth - 1 >= 0 ->
-  argument * steepest + evaluation - off_plus >= 0 ->
-  off_plus + argument * steepest + evaluation >= 0 ->
-  argument * steepest + evaluation - off_minus >= 0 ->
-  off_minus + argument * steepest + evaluation >= 0 ->
-  steepest - mean >= 0 ->
-  mean + steepest >= 0 ->
-  span_v <> 0 /\
-  2 * epsilon <> 0 /\
-  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
-  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
-  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
-  excess * steepest - mean * (growth - 1) >= 0 /\
-  excess * steepest + mean * (growth - 1) >= 0 /\
-  2 * epsilon * (growth * h_v - mean) = growth * (off_plus - off_minus) + 2 * epsilon * mean * (growth - 1) /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) - 2 *
-      epsilon * (growth * h_v - mean) >= 0 /\
-  2 * epsilon * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon)) + 2 *
-      epsilon * (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) - (growth * h_v - mean)
-      >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (2 * epsilon) + growth * h_v - mean >=
-     0.
-
-Definition roundoff_bound__clamped : Prop :=
-  forall argument epsilon evaluation excess growth here mean off_minus off_plus steepest v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := off_plus + here + mean * (epsilon + v) in
-  let h_v_minus := here + off_minus in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v >= 0 ->
-  v - epsilon < 0 ->
-  epsilon + v <= 1 ->
-  epsilon + v > 0 ->
-  excess - (growth - 1) >= 0 ->
-  excess + growth - 1 >= 0 ->
-  argument * steepest + evaluation - off_plus >= 0 ->
-  off_plus + argument * steepest + evaluation >= 0 ->
-  argument * steepest + evaluation - off_minus >= 0 ->
-  off_minus + argument * steepest + evaluation >= 0 ->
-  steepest - mean >= 0 ->
-  mean + steepest >= 0 ->
-  span_v <> 0 /\
-  epsilon + v <> 0 /\
-  2 * (argument * steepest + evaluation) - (off_plus - off_minus) >= 0 /\
-  off_plus - off_minus + 2 * (argument * steepest + evaluation) >= 0 /\
-  (excess + 1) * 2 * (argument * steepest + evaluation) - growth * (off_plus - off_minus) >= 0 /\
-  growth * (off_plus - off_minus) + (excess + 1) * 2 * (argument * steepest + evaluation) >= 0 /\
-  excess * steepest - mean * (growth - 1) >= 0 /\
-  excess * steepest + mean * (growth - 1) >= 0 /\
-  (epsilon + v) * (growth * h_v - mean) = growth * (off_plus - off_minus) + mean * (epsilon + v) * (growth - 1) /\
-  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) -
-      (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  (epsilon + v) * (excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v)) +
-      (epsilon + v) * (growth * h_v - mean) >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) - (growth * h_v - mean)
-      >= 0 /\
-  excess * steepest + (excess + 1) * (2 * argument * steepest + 2 * evaluation) / (epsilon + v) + growth * h_v - mean >=
-     0.
-
 Definition roundoff_bound__two_roundings : Prop :=
   forall first growth second unit : R,
   unit > 0 ->
@@ -2129,30 +1838,6 @@ Definition pole__sine_differs : Prop :=
   (k_v * (sin (k_u * (theta + PI) / 2))) ^ 2 > 0 /\
   g_z * g_z + g_x * g_x + g_y * g_y > 0.
 
-Definition pole__rings : Prop :=
-  forall k_v theta : R,
-  let cos_v := cos (PI * (2 * 0)) in
-  let h_u := 0 in
-  let h_v := 2 * PI * cos_v * k_v in
-  let e_theta_x := -(sin theta) in
-  let e_theta_y := cos theta in
-  let e_theta_z := 0 in
-  let e_phi_x := 1 * (cos theta) in
-  let e_phi_y := 1 * (sin theta) in
-  let e_phi_z := -0 in
-  let g_x := e_phi_x * h_v + e_theta_x * h_u in
-  let g_y := e_phi_y * h_v + e_theta_y * h_u in
-  let g_z := e_phi_z * h_v + e_theta_z * h_u in
-  g_x = 2 * PI * k_v * (cos theta) /\
-  g_y = 2 * PI * k_v * (sin theta) /\
-  g_z = 0 * 2 * PI * k_v /\
-  g_z * g_z + g_x * g_x + g_y * g_y = (2 * PI * k_v) ^ 2 /\
-  (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0 * 0)) * (g_z - ((-0) * 2 * PI * k_v * (cos (PI * (2 * 0))) + 0
-      * 0)) + (g_x - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) * (g_x
-      - (2 * PI * k_v * (cos (PI * (2 * 0))) * 1 * (cos (theta + PI)) + 0 * (-(sin (theta + PI))))) + (g_y - (2 * PI *
-      k_v * (cos (PI * (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) * (g_y - (2 * PI * k_v * (cos (PI *
-      (2 * 0))) * 1 * (sin (theta + PI)) + 0 * (cos (theta + PI)))) = (4 * PI * k_v) ^ 2.
-
 Definition pole__surface_gradient : Prop :=
   forall k_u theta : R,
   let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos
@@ -2161,19 +1846,6 @@ Definition pole__surface_gradient : Prop :=
       in
   surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2))
       ^ 2.
-
-Definition pole__surface_gradient_differs : Prop :=
-  forall k_u theta : R,
-  let surface_x := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (-(sin theta)) + (sin (k_u * (theta + PI) / 2)) * (cos
-      theta) in
-  let surface_y := k_u / 2 * (cos (k_u * (theta + PI) / 2)) * (cos theta) + (sin theta) * (sin (k_u * (theta + PI) / 2))
-      in
-  (1 - (1 / 4) * k_u ^ 2) ^ 2 > 0 ->
-  (sin (k_u * (theta + PI) / 2)) ^ 2 > 0 ->
-  surface_x * surface_x + surface_y * surface_y = k_u ^ 2 / 4 + (1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2))
-      ^ 2 /\
-  ((1 - (1 / 4) * k_u ^ 2) * (sin (k_u * (theta + PI) / 2)) ^ 2) ^ 2 > 0 /\
-  (surface_x * surface_x + surface_y * surface_y - (1 / 4) * k_u ^ 2) ^ 2 > 0.
 
 Definition pole__surface_gradient_0 : Prop :=
   forall theta : R,
@@ -2318,31 +1990,6 @@ Definition clamped_difference_of_odd__first_ridge : Prop :=
   Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) >= (sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))) /\
   Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) = (sin (v * PI * k_v)) * (Rabs (sin (u * PI * k_u))).
 
-Definition clamped_difference_of_odd__second_order : Prop :=
-  forall bend_minus bend_plus epsilon largest slope v : R,
-  let v_plus := Rmin 1 (epsilon + v) in
-  let v_minus := Rmax (v - epsilon) 0 in
-  let span_v := (if both (Rle_dec (epsilon + v) 1) (Rle_dec (epsilon - v) 0) then 2 * epsilon else v_plus - v_minus) in
-  let h_v_plus := bend_plus * (epsilon + v) ^ 3 / 24 + (epsilon + v) * (bend_minus * ((epsilon + v) ^ 2 / 8 - (1 / 2) *
-      v ^ 2) + slope) in
-  let h_v_minus := 0 in
-  let h_v := (h_v_plus - h_v_minus) / span_v in
-  epsilon > 0 ->
-  v >= 0 ->
-  v - epsilon < 0 ->
-  epsilon + v <= 1 ->
-  bend_plus <= largest ->
-  bend_plus >= -largest ->
-  bend_minus <= largest ->
-  bend_minus >= -largest ->
-  span_v <> 0 /\
-  h_v - slope = bend_minus * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) + bend_plus * (epsilon + v) ^ 2 / 24 /\
-  (epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2 >= 0 /\
-  (1 * bend_minus + largest) * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) >= 0 /\
-  (largest - bend_minus) * ((epsilon + v) ^ 2 / 8 - (1 / 2) * v ^ 2) >= 0 /\
-  largest * 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) - (h_v - slope) >= 0 /\
-  largest * 1 * ((1 / 6) * epsilon ^ 2 + (1 / 3) * epsilon * v - (1 / 3) * v ^ 2) + h_v - slope >= 0.
-
 Definition clamped_difference_of_odd__second_order_sharp : Prop :=
   forall epsilon v : R,
   epsilon > 0 ->
@@ -2388,15 +2035,6 @@ Definition displaced_normal__product : Prop :=
       h + h_theta * (theta - theta_0)) + 1)) phi) * (Derive (fun theta : R => (sin phi) * (cos theta) * (beta * (h_phi *
       (phi - phi_0) + h + h_theta * (theta - theta_0)) + 1)) theta) = (beta * h + 1) * (sin phi) * ((beta * h + 1) *
       (cos phi) - beta * (h_phi * (-(sin phi)) + 0 * h_theta / (sin phi))).
-
-Definition displaced_normal__chart_scale : Prop :=
-  forall h_u h_v phi theta : R,
-  let h_theta := (1 / 2) * h_u / PI in
-  let h_phi := h_v / PI in
-  ex_derive (fun theta : R => (theta + PI) / (2 * PI)) theta /\
-  ex_derive (fun phi : R => phi / PI) phi /\
-  h_theta = h_u * (Derive (fun theta : R => (theta + PI) / (2 * PI)) theta) /\
-  h_phi = h_v * (Derive (fun phi : R => phi / PI) phi).
 
 Definition displaced_normal__outward : Prop :=
   forall beta cos_phi cos_theta h h_u h_v sin_phi sin_theta : R,
@@ -2782,46 +2420,6 @@ Definition seam__rings : Prop :=
   ex_derive (fun u : R => sin (PI * (2 * k_v * v))) u /\
   (Derive (fun u : R => sin (PI * (2 * k_v * v))) u) = 0.
 
-Definition occlusion_by_signs__quadratic : Prop :=
-  forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z s : R,
-  let segment_x := light_x - point_x in
-  let segment_y := light_y - point_y in
-  let segment_z := light_z - point_z in
-  let offset_x := center_x - point_x in
-  let offset_y := center_y - point_y in
-  let offset_z := center_z - point_z in
-  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
-  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
-      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  (point_z + s * segment_z - center_z) ^ 2 + (point_y + s * segment_y - center_y) ^ 2 + (point_x + s * segment_x -
-      center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z * offset_z + offset_x * offset_x + offset_y * offset_y -
-      body_radius ^ 2 + s ^ 2 * segment_squared - 2 * s * toward_center /\
-  (light_z - center_z) ^ 2 + (light_y - center_y) ^ 2 + (light_x - center_x) ^ 2 + 0 - body_radius ^ 2 = offset_z *
-      offset_z + offset_x * offset_x + offset_y * offset_y - body_radius ^ 2 + segment_squared - 2 * toward_center /\
-  shadow_discriminant = toward_center ^ 2 - segment_squared * (offset_z * offset_z + offset_x * offset_x + offset_y *
-      offset_y - body_radius ^ 2) /\
-  segment_squared >= 0.
-
-Definition occlusion_by_signs__program : Prop :=
-  forall body_radius center_x center_y center_z light_x light_y light_z point_x point_y point_z : R,
-  let segment_x := light_x - point_x in
-  let segment_y := light_y - point_y in
-  let segment_z := light_z - point_z in
-  let offset_x := center_x - point_x in
-  let offset_y := center_y - point_y in
-  let offset_z := center_z - point_z in
-  let segment_squared := segment_x ^ 2 + segment_y ^ 2 + segment_z ^ 2 in
-  let toward_center := offset_x * segment_x + offset_y * segment_y + offset_z * segment_z in
-  let shadow_discriminant := body_radius ^ 2 * segment_squared - (offset_y * segment_x - offset_x * segment_y) ^ 2 -
-      (offset_x * segment_z - offset_z * segment_x) ^ 2 - (offset_z * segment_y - offset_y * segment_z) ^ 2 in
-  let occluded := (if both (both (Rlt_dec toward_center segment_squared) (Rle_dec 0 shadow_discriminant)) (Rlt_dec 0
-      toward_center) then 1 else 0) in
-  shadow_discriminant >= 0 ->
-  toward_center > 0 ->
-  toward_center < segment_squared ->
-  occluded = 1.
-
 Definition occlusion_by_signs__if : Prop :=
   forall a b c d : R,
   a >= 0 ->
@@ -3006,15 +2604,6 @@ Definition crease_error_area__tent : Prop :=
       /\
   (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon / (PI * k_u) - (cos (delta * PI * k_u)) - (-1) * PI *
       k_u * 1 / (PI * k_u) * (1 - delta / epsilon) + (2 / 3) * PI ^ 3 * epsilon ^ 2 * k_u ^ 3 / (PI * k_u) >= 0.
-
-Definition crease_error_area__mirrored : Prop :=
-  forall delta epsilon k_u : R,
-  let difference := (sin ((-delta) * PI * k_u)) * (cos (epsilon * PI * k_u)) / epsilon in
-  let after := PI * k_u * (cos ((-delta) * PI * k_u)) in
-  epsilon > 0 ->
-  epsilon <> 0 /\
-  after + difference = PI * k_u * (cos (delta * PI * k_u)) - (sin (delta * PI * k_u)) * (cos (epsilon * PI * k_u)) /
-      epsilon.
 
 Definition crease_error_area__tents : Prop :=
   forall delta epsilon k_u : R,
@@ -3646,26 +3235,6 @@ Definition kink_loci__projection : Prop :=
   eye * radius * sin_phi / (eye - cos_phi * radius) >= 0 /\
   sqrt (x ^ 2 + y ^ 2) = eye * radius * sin_phi / (eye - cos_phi * radius).
 
-Definition kink_loci__crease_u : Prop :=
-  forall k_u k_v m v : R,
-  let crease := sin (PI * (k_u * m / k_u)) in
-  let h := Rabs ((sin (PI * (k_u * m / k_u))) * (sin (PI * (k_v * v)))) in
-  k_u > 0 ->
-  sin (PI * m) = 0 ->
-  k_u <> 0 /\
-  crease = 0 /\
-  h = 0.
-
-Definition kink_loci__crease_v : Prop :=
-  forall k_u k_v m u : R,
-  let crease := sin (PI * (k_v * m / k_v)) in
-  let h := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * m / k_v)))) in
-  k_v > 0 ->
-  sin (PI * m) = 0 ->
-  k_v <> 0 /\
-  crease = 0 /\
-  h = 0.
-
 Definition kink_loci__elsewhere_above : Prop :=
   forall k_u k_v u v : R,
   let h := Rabs ((sin (PI * (k_u * u))) * (sin (PI * (k_v * v)))) in
@@ -4152,80 +3721,12 @@ Definition difference_bound__light_0 : Prop :=
   so_far + step * (kd * albedo_red * light_red + q * ks * light_red) + light_red * (albedo_red * kd * (Rmax 0 mu) + ks *
       specular) + red - (before + light_red * (albedo_red * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
 
-Definition difference_bound__light_1 : Prop :=
-  forall albedo_green before green kd ks light_green mu other_mu other_specular q so_far specular step : R,
-  albedo_green >= 0 ->
-  light_green >= 0 ->
-  kd >= 0 ->
-  ks >= 0 ->
-  so_far - (green - before) >= 0 ->
-  so_far + green - before >= 0 ->
-  step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
-  step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
-  q * step - (specular - other_specular) >= 0 ->
-  q * step + specular - other_specular >= 0 ->
-  albedo_green * kd >= 0 /\
-  kd * albedo_green * light_green >= 0 /\
-  ks * light_green >= 0 /\
-  step * kd * albedo_green * light_green - albedo_green * kd * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  step * kd * albedo_green * light_green + kd * albedo_green * light_green * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  ks * light_green * q * step - ks * light_green * (specular - other_specular) >= 0 /\
-  ks * light_green * q * step + ks * light_green * (specular - other_specular) >= 0 /\
-  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) - (green + light_green * (albedo_green * kd *
-      (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks *
-      other_specular))) >= 0 /\
-  so_far + step * (kd * albedo_green * light_green + q * ks * light_green) + green + light_green * (albedo_green * kd *
-      (Rmax 0 mu) + ks * specular) - (before + light_green * (albedo_green * kd * (Rmax 0 other_mu) + ks *
-      other_specular)) >= 0.
-
-Definition difference_bound__light_2 : Prop :=
-  forall albedo_blue before blue kd ks light_blue mu other_mu other_specular q so_far specular step : R,
-  albedo_blue >= 0 ->
-  light_blue >= 0 ->
-  kd >= 0 ->
-  ks >= 0 ->
-  so_far - (blue - before) >= 0 ->
-  so_far + blue - before >= 0 ->
-  step - (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 ->
-  step + Rmax 0 mu - (Rmax 0 other_mu) >= 0 ->
-  q * step - (specular - other_specular) >= 0 ->
-  q * step + specular - other_specular >= 0 ->
-  albedo_blue * kd >= 0 /\
-  kd * albedo_blue * light_blue >= 0 /\
-  ks * light_blue >= 0 /\
-  step * kd * albedo_blue * light_blue - albedo_blue * kd * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  step * kd * albedo_blue * light_blue + kd * albedo_blue * light_blue * (Rmax 0 mu - (Rmax 0 other_mu)) >= 0 /\
-  ks * light_blue * q * step - ks * light_blue * (specular - other_specular) >= 0 /\
-  ks * light_blue * q * step + ks * light_blue * (specular - other_specular) >= 0 /\
-  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) - (blue + light_blue * (albedo_blue * kd * (Rmax
-      0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular))) >=
-      0 /\
-  so_far + step * (kd * albedo_blue * light_blue + q * ks * light_blue) + blue + light_blue * (albedo_blue * kd * (Rmax
-      0 mu) + ks * specular) - (before + light_blue * (albedo_blue * kd * (Rmax 0 other_mu) + ks * other_specular)) >= 0.
-
 Definition difference_bound__clip : Prop :=
   forall bound_on first second : R,
   bound_on - (first - second) >= 0 ->
   bound_on + first - second >= 0 ->
   bound_on - (Rmin 1 (Rmax 0 first) - (Rmin 1 (Rmax 0 second))) >= 0 /\
   bound_on + Rmin 1 (Rmax 0 first) - (Rmin 1 (Rmax 0 second)) >= 0.
-
-Definition difference_bound__all_lights : Prop :=
-  forall change_1 change_2 change_3 change_4 change_5 factor_1 factor_2 factor_3 factor_4 factor_5 slope_error step : R,
-  factor_1 * step + 0 >= change_1 ->
-  change_1 + factor_2 * step >= change_2 ->
-  change_2 + factor_3 * step >= change_3 ->
-  change_3 + factor_4 * step >= change_4 ->
-  change_4 + factor_5 * step >= change_5 ->
-  factor_1 >= 0 ->
-  factor_2 >= 0 ->
-  factor_3 >= 0 ->
-  factor_4 >= 0 ->
-  factor_5 >= 0 ->
-  slope_error >= step ->
-  step * (factor_5 + factor_4 + factor_3 + factor_2 + factor_1 + 0) >= change_5 /\
-  factor_5 + factor_4 + factor_3 + factor_2 + factor_1 + 0 >= 0 /\
-  slope_error * (factor_5 + factor_4 + factor_3 + factor_2 + factor_1 + 0) >= change_5.
 
 Definition pixels_off_the_pole__raster_above : Prop :=
   forall m n : R,

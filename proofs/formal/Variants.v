@@ -1,6 +1,6 @@
 (* False variants, of statements whose files do not refute one beside them. *)
 
-From Coq Require Import Reals Lra Psatz Lia.
+From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
 From Formal Require Import Preliminaries Formulas Vectors Fields Bump Creases.

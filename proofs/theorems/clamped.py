@@ -1,40 +1,13 @@
 """The difference that is clamped at the pole v = 0: first order in general, second order where the field is odd."""
 
-from proofs.formulas.difference_cases import at_pole, of_heights, pole_clamps
-from proofs.formulas.finite_difference import central, h_v_minus, h_v_plus, span_v, v_minus, v_plus
+from proofs.formulas.difference_cases import at_pole, pole_clamps
+from proofs.formulas.finite_difference import central, span_v, v_minus, v_plus
 from proofs.formulas.height_fields import HeightField
 from proofs.formulas.step_bounds import clamped_bound, third_derivative, truncation
 from proofs.theorems.language import *
 
-slope, here, largest, bend_plus, bend_minus = real("slope here largest bend_plus bend_minus")
-ranges = {(v, epsilon): (0, HALF), largest: (0, 3)}
-
-
 _clamp = Claim(
     "clamp", (equation(v_plus, v + epsilon), zero(v_minus), equation(span_v, v + epsilon)), pole_clamps, central(sine)
-)
-_bends = [part for bend in (bend_plus, bend_minus) for part in (bend <= largest, bend >= -largest)]
-_first = Claim(
-    "first_order",
-    (
-        both_ways(largest * (epsilon**2 + v**2) / 2, (v + epsilon) * (h_v - slope)),
-        both_ways(largest * (epsilon**2 + v**2) / (2 * (epsilon + v)), h_v - slope),
-    ),
-    (pole_clamps, _bends),
-    of_heights(
-        {
-            h_v_plus: here + epsilon * slope + bend_plus * epsilon**2 / 2,
-            h_v_minus: here - v * slope + bend_minus * v**2 / 2,
-        }
-    ),
-    squares=(epsilon, v),
-    ranges=ranges,
-)
-_sharp = Claim(
-    "first_order_sharp",
-    equation(h_v, (epsilon**2 + v**2) / (2 * (epsilon + v))),
-    pole_clamps,
-    of_heights({h_v_plus: epsilon**2 / 2, h_v_minus: -(v**2) / 2}),
 )
 _parabola = HeightField("parabola", v**2 / 2)
 _at_zero = Claim(
@@ -52,29 +25,21 @@ first_order = Theorem(
         r"""and for every $h$ whose slope $h_v$ is Lipschitz with $S$ on $[0, v+\varepsilon]$, as
         $\sup|h_{vv}|$ is, where
         there is one, $|D_\varepsilon h - h_v| \le \frac{\varepsilon^2+v^2}{2(\varepsilon+v)}S$: first order.""": (
-            _first,
-            coq("clamped_difference__of_any_height 34c5ae28ba23b70c"),
+            coq("clamped_difference__of_any_height 34c5ae28ba23b70c")
         ),
         r"""No smaller factor will do: $h(w) = \tfrac12(w-v)|w-v|$, $S = 1$, attains it; at $v = 0$ so does
-        $w^2/2$.""": (_sharp, _at_zero, coq("clamped_difference__attained 3c4320bc36060948")),
+        $w^2/2$.""": (_at_zero, coq("clamped_difference__attained 3c4320bc36060948")),
     },
-    hypotheses=(
-        r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
-        r"""assumed in the claim of first order, a step: $h(v+\varepsilon) = h + \varepsilon h_v +
-        \tfrac12\varepsilon^2 a$
-        and $h(0) = h - v h_v + \tfrac12 v^2 b$, $|a|, |b| \le S$""",
-    ),
+    hypotheses=r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$",
     steps={
+        r"$h(v+\varepsilon) = h + \varepsilon h_v + \tfrac12\varepsilon^2 a$, $h(0) = h - v h_v + \tfrac12 v^2 b$": (
+            r"$|a|, |b| \le S$, as $h_v$ is Lipschitz"
+        ),
         r"$v_- = 0$, $v_+ = v+\varepsilon$, divided by $v+\varepsilon$": "the lines' own cases, decided",
         r"$(v+\varepsilon)|D_\varepsilon h - h_v| \le S(\varepsilon^2+v^2)/2$": "the two remainders, added",
         "equality": "the remainders of $(w-v)|w-v|/2$ are $\\varepsilon^2/2$ and $-v^2/2$",
     },
     mutants=(
-        variant(
-            "ε² − v², as if the two remainders cancelled",
-            _first,
-            both_ways(largest * (epsilon**2 - v**2) / (2 * (epsilon + v)), h_v - slope),
-        ),
         variant(
             "w²/2 attains the bound off the pole",
             _at_zero,
@@ -104,23 +69,7 @@ _first_ridge = Claim(
     (k_v > 0, v >= 0, 1 - k_v * v >= 0),
     cited=sine_of_half_turn(k_v * v),
 )
-_end = v + epsilon
 _room = clamped_bound[truncation].xreplace({third_derivative: S.One})
-_rise = _end**2 / 8 - v**2 / 2
-_upper = _end * (slope + bend_minus * _rise) + bend_plus * _end**3 / 24
-_second = Claim(
-    "second_order",
-    (
-        equation(h_v - slope, _end**2 / 24 * bend_plus + _rise * bend_minus),
-        _rise >= 0,
-        [_rise * (largest + s * bend_minus) >= 0 for s in (1, -1)],
-        both_ways(largest * _room, h_v - slope),
-    ),
-    (pole_clamps, _bends),
-    of_heights({h_v_plus: _upper, h_v_minus: S.Zero}),
-    squares=_end,
-    ranges=ranges,
-)
 
 
 def _error(h):
@@ -131,6 +80,8 @@ def _error(h):
 
 _attained = Claim("second_order_sharp", equation(_error(v**3 / 6), _room), pole_clamps)
 
+_of_odd = coq("clamped_difference_of_odd__of_any_height 3f44cb35c6bf82f5")
+
 second_order = Theorem(
     "clamped_difference_of_odd",
     "Where the field is odd, the clamp costs no order",
@@ -139,8 +90,7 @@ second_order = Theorem(
         which is.""": (_are_odd, _first_ridge),
         r"""For every odd $h$ of three derivatives and $0 \le v < \varepsilon$, $|D_\varepsilon h - h_v| \le
         \tfrac16(\varepsilon^2+2\varepsilon v-2v^2)S$, $S = \sup|h_{vvv}|$ on $[0, v+\varepsilon]$: second order.""": (
-            _second,
-            coq("clamped_difference_of_odd__of_any_height 3f44cb35c6bf82f5"),
+            _of_odd
         ),
         r"""So for sine with $S = (\pi k_v)^3$, for rings with $(2\pi k_v)^3$, and for ridges, where $v+\varepsilon \le
         1/k_v$, as for sine: no hump may end inside the step.""": coq(
@@ -150,27 +100,25 @@ second_order = Theorem(
     },
     short={
         """If $h$ is odd about the pole $v = 0$ and $|h_{vvv}|$ is bounded, the clamped difference is of second order
-        there.""": _second,
+        there.""": _of_odd,
         "Sine and rings are odd, and so is ridges near the pole.": (_are_odd, _first_ridge),
     },
     hypotheses=(
         r"$\varepsilon > 0$, $0 \le v < \varepsilon$, $v + \varepsilon \le 1$, $k_v > 0$",
         r"""$h_v$ at $v = 0$ is the slope upwards; the rule of creases has 0 for ridges there, which is off by up
         to $\pi k_v$""",
-        r"""assumed in the claim of second order, a step, with $s = v+\varepsilon$: $h(s) = s h_v(s/2) +
-        \tfrac1{24}s^3 a$,
-        $h_v(s/2) = h_v(v) + \tfrac12(s^2/4 - v^2)b$, $|a|, |b| \le S$""",
     ),
     steps={
         r"$h(0) = 0$ and $h_{vv}(0) = 0$": "$h$ is odd",
         "the clamped difference divides by $v+\\varepsilon$": ("its lines", "clamped_difference"),
+        r"$h(s) = s h_v(s/2) + \tfrac1{24}s^3 a$, $h_v(s/2) = h_v(v) + \tfrac12(s^2/4 - v^2)b$, $s = v+\varepsilon$": (
+            r"$|a|, |b| \le S$, by Taylor's theorem"
+        ),
         r"$D_\varepsilon h - h_v = s^2a/24 + (s^2/8 - v^2/2)b$": r"the two theorems; $v \le s/2$",
         r"$s^2/24 + s^2/8 - v^2/2 = (s^2 - 3v^2)/6$": "expansion",
         r"$s^2 - 3v^2 = \varepsilon^2 + 2\varepsilon v - 2v^2$": "expansion",
     },
     mutants=(
-        variant("the unclamped bound ε²/6", _second, both_ways(largest * epsilon**2 / 6, h_v - slope)),
-        variant("h(0) = 0 is not needed", _second, lines=of_heights({h_v_plus: _upper, h_v_minus: here})),
         variant("1 − v² is odd too", _are_odd, equation((1 - v**2).subs(v, -v), v**2 - 1)),
         variant(
             "w³/6 attains ε²/6 for v > 0",

@@ -27,8 +27,6 @@ reach = (1 - k_u * (epsilon + delta) >= 0, 1 - k_u * (epsilon - delta) >= 0)
 
 across = inside(ridges).expand(h_u).subs(half).subs(u, delta)
 straddled = cos(rate * epsilon) * sin(rate * delta) / epsilon
-slope = ridges.gradient()[0].subs(half).subs(u, delta)
-slope_after = rate * cos(rate * delta)  # where sin πkδ > 0, as a claim below says; before the crease, its negative
 
 _value = Claim(
     "value",
@@ -37,18 +35,7 @@ _value = Claim(
     cited=[sine_of_half_turn(k_u * w) for w in (epsilon + delta, epsilon - delta)],
     ranges=ranges,
 )
-difference, after = real("difference after")
-_centre = Claim(
-    "at_the_crease",
-    (zero(difference), equation(difference - after, -rate)),
-    epsilon > 0,
-    chain("beside", {difference: straddled, after: slope_after}).at({delta: S.Zero}),
-)
 _period = Claim("every_crease", equation(Abs(sin(pi * m + delta)), Abs(sin(delta))), zero(sin(pi * m)))
-_slopes = [
-    Claim(f"slope_{name}", equation(slope, side * slope_after), side * sin(rate * delta) > 0, ranges=ranges)
-    for name, side in (("after", 1), ("before", -1))
-]
 
 theorem = Theorem(
     "straddling",
@@ -56,15 +43,9 @@ theorem = Theorem(
     {
         r"""At distance $\delta$ from a crease of $h = |\sin\pi k u|$, if $|\delta| < \varepsilon$ and $\varepsilon +
         |\delta| \le 1/k$: $D_\varepsilon h = \cos(\pi k\varepsilon)\sin(\pi k\delta)/\varepsilon$, which is 0 at the
-        crease, for every $\varepsilon$,""": (
-            _value,
-            _centre,
-            _period,
-            coq("straddling__of_the_difference bf460f9cd0908a38"),
-        ),
+        crease, for every $\varepsilon$,""": (_value, _period, coq("straddling__of_the_difference bf460f9cd0908a38")),
         r"whereas the slope is $\pm\pi k\cos\pi k\delta$ on either side.": (
-            _slopes,
-            coq("straddling__of_the_slope dd38cfc7019a7aef"),
+            coq("straddling__of_the_slope dd38cfc7019a7aef")
         ),
         r"Beside the crease the error, slope less difference, tends to $\pi k$ as $\delta \to 0$ from above.": coq(
             "straddling__error a44c510a266abd3f"
@@ -94,7 +75,6 @@ theorem = Theorem(
             cited=(),
             at={k_u: 1, epsilon: "5/4", delta: "1/4"},
         ),
-        variant("one slope on both sides", _slopes[1], equation(slope, slope_after)),
         variant("|sin(πm + x)| for any m", _period, given=m > 0),
     ),
     side_conditions=(
@@ -114,7 +94,7 @@ theorem = Theorem(
 )
 
 omega = real("omega")
-_gap = Abs(without(pi, _centre.shows[1].rhs).xreplace({k_u: omega}))  # at the crease, with ω for πk
+_gap = Abs(-omega)  # at the crease, with ω for πk: the difference is 0 there
 _steps = (omega > 0, epsilon > 0)
 _descends = Claim("descends", truncation_bound[truncation].xreplace({third_derivative: omega**3}) >= _gap, _steps)
 
@@ -163,12 +143,6 @@ _near_tent = Claim(
     squares=named(sin(x)),
     cited=(sine_below(y), sine_above(y), cosine_above(y), cosine_above(x), sine_of_half_turn(k_u * delta)),
 )
-_mirrored = Claim(
-    "mirrored",
-    equation(difference + after, slope_after - straddled),
-    epsilon > 0,
-    chain("mirrored", {difference: straddled.subs(delta, -delta), after: slope_after.subs(delta, -delta)}),
-)
 _primitive = (delta - epsilon) ** 3 / (3 * epsilon**2)
 _square = v / 2 - sin(2 * pi * k_v * v) / (4 * pi * k_v)
 _area = _primitive.subs(delta, epsilon) - _primitive.subs(delta, 0)
@@ -199,12 +173,14 @@ def _mean_square(name, k, number, constant=None):
 
 _means_square = _mean_square("in_u", k_u, k_u), _mean_square("in_v", k_v, k_v - 1)
 
+_near_all = coq("crease_error_area__near_the_tents 787f98960365521b")
+
 rms = Theorem(
     "crease_error_area",
     "The error beside the creases falls like √ε",
     {
         r"""Within $\varepsilon$ of a crease the error of the central difference of $|\sin\pi k u|$ is $\pi
-        k(1 - |\delta|/\varepsilon)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.""": (_near_tent, _mirrored),
+        k(1 - |\delta|/\varepsilon)$ in size, up to $\tfrac23\pi k(\pi k\varepsilon)^2$.""": (_near_tent, _near_all),
         r"""$(\delta-\varepsilon)^3/3\varepsilon^2$ has the derivative $(\delta/\varepsilon-1)^2$ and grows by
         $\varepsilon/3$; a primitive of $\sin^2\pi k v$ grows by $\tfrac12$ over the chart; tents of these areas
         at $k_u$ and $k_v - 1$ creases have the root mean squares $\pi k_u\sqrt{k_u\varepsilon/3}$ and $\pi
@@ -212,8 +188,9 @@ rms = Theorem(
         r"""So these are the RMS errors in $h_u$ and $h_v$, by integrals over the chart, each up to $\tfrac23\pi
         k(\pi k\varepsilon)^2$;""": coq("crease_error_area__root_mean_squares 9553670e51360319"),
         r"""and everywhere the error is that of the tents, in $h_u$ at every crease and in $h_v$ at those off the poles,
-        times $|\sin|$ of the other argument, up to as much.""": coq(
-            "crease_error_area__near_the_tents 787f98960365521b", "crease_error_area__of_all_tents bb83709e9ece0e4b"
+        times $|\sin|$ of the other argument, up to as much.""": (
+            _near_all,
+            coq("crease_error_area__of_all_tents bb83709e9ece0e4b"),
         ),
     },
     hypotheses=(

@@ -13,7 +13,7 @@ from proofs.formulas.displacement import (
     surface_normal,
 )
 from proofs.formulas.tangent_frame import e_phi, e_theta
-from proofs.theorems.frame import angles, at_angle, frame, on_circles, place
+from proofs.theorems.frame import angles, at_angle, frame, on_circles
 from proofs.theorems.language import *
 
 theta_0, phi_0 = real("theta_0 phi_0")
@@ -31,11 +31,6 @@ _product = Claim(
     "product",
     equations(cross(_along(phi), _along(theta)), _scaled),
     (equations((theta, phi), (theta_0, phi_0)), sin(phi) > 0),
-)
-_chart_scale = Claim(
-    "chart_scale",
-    (equation(h_theta, h_u * Derivative(place[u], theta)), equation(h_phi, h_v * Derivative(place[v], phi))),
-    lines=displaced_normal,
 )
 _off_the_poles = (on_circles, sin_phi > 0)
 raised = (_off_the_poles, 1 + beta * h > 0)
@@ -64,7 +59,6 @@ displaced_theorem = Theorem(
         \tfrac{h_v}{\pi}e_\varphi$, and $D\cdot N = 1+\beta h > 0$: outwards. Blinn's $B = N - \beta G$ has $D \times
         B = -\beta^2 h\, N\times G$: the same direction to first order in $\beta$.""": (
             _product,
-            _chart_scale,
             _outward,
             _first_order,
             coq("displaced_normal__any_field 651f549b238968e9"),
@@ -87,7 +81,6 @@ displaced_theorem = Theorem(
             equations(cross(_along(phi), _along(theta)), _scaled / sin(phi)),
         ),
         variant("Blinn's is the displaced normal", _first_order, zero(cross(displaced, _blinn))),
-        variant("h_φ = h_v/2π", _chart_scale, equation(2 * pi * h_phi, h_v)),
     ),
     side_conditions=(
         SideCondition(r"$\sin\varphi > 0$", "first_order", undefined={**at_angle(1, 0), (h, h_u, h_v, beta): 1}),

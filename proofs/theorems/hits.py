@@ -12,7 +12,6 @@ from proofs.formulas.camera import (
     ray_length_squared,
     rho_raw,
     root_a,
-    root_b,
     tangent_squared,
     toward_b,
 )
@@ -137,12 +136,6 @@ _solves_b = Claim(
     hit_of_b,
 )
 _length = squared(ray_direction)
-_near_b = Claim(
-    "near",
-    (_length > 0, equation(_length * t_b, toward_b - root_b), _length * t - toward_b + root_b >= 0, t >= t_b),
-    (eye > 0, _sees_b[1:], equation(distance_squared(along(t), ball_center), ball_radius**2)),
-    hit_of_b,
-)
 _behind_b = Claim(
     "behind",
     (t < 0, zero(hits_b)),
@@ -183,7 +176,6 @@ theorem_b = Theorem(
         is negative. With $K = D\times(E-C)$, $R_2N = (K\times D-\sqrt d\,D)/|D|^2 = P(t)-C$.""": (
             _quadratic,
             _solves_b,
-            _near_b,
             _behind_b,
             _outward_b,
             coq("hit_of_b__first_hit 95fde9b15390ff07"),
@@ -199,7 +191,6 @@ theorem_b = Theorem(
     },
     mutants=(
         variant("the seed's c", _quadratic, equation(discriminant_b, toward_b**2 - _length * _seed_c)),
-        variant("the far root", _near_b, t <= t_b),
         variant("the inward normal", _outward_b, equations(-ball_radius * normal, _from_the_center)),
         variant("b with its sign turned", _behind_b, given=(eye_outside_b, toward_b >= 0, _behind_b.given[2:])),
     ),

@@ -99,9 +99,13 @@ theorem = Theorem(
         r"""So the lit channel, and the clipped one where it is neither 0 nor 1, has this derivative in
         $\beta$, added to
         that of the lights before, for both models.""": coq("image_derivative__pixel bdac657e0afd363c"),
+        r"""The rules by which a renderer hands on slopes compose: of every program whose needed lines have slopes, the
+        slope that is computed with it is the derivative of its value, however its inputs move.""": coq(
+            "image_derivative__programs cc8eb97b13e02494"
+        ),
     },
     hypotheses=(
-        r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; off $\mu = 0$ and off base $= 0$ in the last sentence",
+        r"$N' = M/|M|$ with $M \ne 0$; $|H| > 0$; off $\mu = 0$ and off base $= 0$ for the lit channel",
         r"of the claims, which are steps: $p \ge 1$ whole, and the rules of differentiation (assumed)",
     ),
     steps={

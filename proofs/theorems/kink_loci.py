@@ -26,15 +26,6 @@ _projection = Claim(
     (on_circles, sin_phi >= 0, lengths_of_a, equations(along(t), point)),
     point_on_a,
 )
-_creases = [
-    Claim(
-        f"crease_{c}",
-        zero(crease, h),
-        (k > 0, zero(sin(pi * m))),  # m is whole
-        chain("crease", {crease: factor}, height_fields.height(ridges)).at({c: m / k}),
-    )
-    for factor, c, k in zip(ridges.creases, (u, v), (k_u, k_v), strict=True)
-]
 _on_the_axis = {**at_angle(1, 0), eye: 1, x: 0, y: 0}
 _elsewhere = [
     Claim(
@@ -59,13 +50,10 @@ theorem = Theorem(
         $\rho(\cos\theta, \sin\theta)$ with $\rho = e R\sin\varphi/(e - R\cos\varphi)$: a meridian is a ray, a
         parallel a circle.""": _projection,
         r"""Ridges is 0 exactly on the rays $k_u u = m$ and the circles $k_v v = m$, its creases: across one of them,
-        where the sine of the other argument is not 0, it has no derivative.""": (
-            _creases,
-            coq(
-                "kink_loci__zero 3394f9d56bcd306e",
-                "kink_loci__creased_in_u 866b44d20bcb8d16",
-                "kink_loci__creased_in_v b14fb9afb9eb7a69",
-            ),
+        where the sine of the other argument is not 0, it has no derivative.""": coq(
+            "kink_loci__zero 3394f9d56bcd306e",
+            "kink_loci__creased_in_u 866b44d20bcb8d16",
+            "kink_loci__creased_in_v b14fb9afb9eb7a69",
         ),
         r"""Everywhere else $h > 0$, and $h$ and its gradient are those of $p$ or of $-p$, $p = \sin\pi k_u
         u\,\sin\pi k_v v$: no other crease.""": _elsewhere,

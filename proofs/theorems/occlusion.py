@@ -1,42 +1,12 @@
 """The shadow test: which signs say that a sphere stands between two points, and when none can."""
 
 from proofs.formulas.camera import discriminant_b, ray_direction, toward_b
-from proofs.formulas.shadow import (
-    body_radius,
-    center,
-    occluded,
-    offset,
-    segment,
-    segment_squared,
-    shadow,
-    shadow_discriminant,
-    toward_center,
-)
+from proofs.formulas.shadow import body_radius, offset, segment_squared, shadow, shadow_discriminant, toward_center
 from proofs.formulas.shadow_cone import along, at_light, curvature, from_body, half_slope, shadow_clearance
 from proofs.theorems.hits import distance_squared, hit_of_b
 from proofs.theorems.language import *
 
 s = real("s")
-_excess = squared(offset) - body_radius**2
-_quadratic = Claim(
-    "quadratic",
-    (
-        equation(
-            distance_squared(point + s * segment, center) - body_radius**2,
-            segment_squared * s**2 - 2 * toward_center * s + _excess,
-        ),
-        equation(distance_squared(light, center) - body_radius**2, segment_squared - 2 * toward_center + _excess),
-        equation(shadow_discriminant, toward_center**2 - segment_squared * _excess),
-        segment_squared >= 0,
-    ),
-    lines=shadow,
-)
-_program = Claim(
-    "program",
-    equation(occluded, 1),
-    (shadow_discriminant >= 0, toward_center > 0, toward_center < segment_squared),
-    shadow,
-)
 _a, _b, _c, _d = real("a b c d")
 _root = sqrt(_d)
 _positive_at_p = (_a >= 0, _c > 0, equation(_d, _b**2 - _a * _c))
@@ -68,7 +38,11 @@ def _lagrange(apex):
 
 
 _of_b = Claim("of_b", equation(discriminant_b, _lagrange((0, 0, eye))), lines=hit_of_b)
-_of_shadow = Claim("of_shadow", _quadratic.shows[2:3], lines=shadow)
+_of_shadow = Claim(
+    "of_shadow",
+    equation(shadow_discriminant, toward_center**2 - segment_squared * (squared(offset) - body_radius**2)),
+    lines=shadow,
+)
 
 lagrange = Theorem(
     "lagrange_identity",
@@ -94,8 +68,6 @@ theorem = Theorem(
         r"""Let $P$ and $L$ be outside the sphere about $C$ of radius $r$. Then $|P+s(L-P)-C| = r$ for some $s$ in
         $(0, 1)$ exactly if $d = |a|^2r^2-|a\times w|^2 \ge 0$ and $0 < a\cdot w < |a|^2$, where $a = L-P$, $w
         = C-P$.""": (
-            _quadratic,
-            _program,
             _if,
             _only_if,
             coq("occlusion_by_signs__iff 6a1d0e5c94ee3d97", "occlusion_by_signs__numerators e6c759cf3432594d"),

@@ -1,7 +1,7 @@
 """The rounding error of the central difference in floating point, the best step, and the floor that it leaves."""
 
-from proofs.formulas.difference_cases import nothing_clamps, of_heights, pole_clamps
-from proofs.formulas.finite_difference import h_u_minus, h_u_plus, h_v_minus, h_v_plus
+from proofs.formulas.difference_cases import of_heights
+from proofs.formulas.finite_difference import h_u_minus, h_u_plus
 from proofs.formulas.step_bounds import (
     argument,
     best,
@@ -41,33 +41,27 @@ _three = Claim(
 )
 
 
-def _rounded(name, output, samples, over, given):
-    """Return the claim about the difference `output` over the span `over` of its two samples, times `growth`."""
-    plus, minus = samples
-    off, bound = off_plus - off_minus, rounding_bound[rounding].xreplace({span: over})
-    return Claim(
-        name,
-        (
-            both_ways(2 * _each, off),
-            both_ways(2 * _each * (1 + excess), off * growth),
-            both_ways(steepest * excess, mean * (growth - 1)),
-            equation(over * (output * growth - mean), off * growth + over * mean * (growth - 1)),
-            both_ways(over * bound, over * (output * growth - mean)),
-            both_ways(bound, output * growth - mean),
-        ),
-        (given, both_ways(excess, growth - 1), both_ways(_each, off_plus, off_minus), both_ways(steepest, mean)),
-        of_heights({plus: here + over * mean + off_plus, minus: here + off_minus}),
-        ranges={
-            (off_plus, off_minus, mean): ("-1/4", "1/4"),
-            (evaluation, argument, excess, steepest): (0, 3),
-            (epsilon, v): (0, "1/2"),
-        },
-    )
-
-
-_in_u = _rounded("in_u", h_u, (h_u_plus, h_u_minus), 2 * epsilon, (epsilon > 0,))
-_in_v = _rounded("in_v", h_v, (h_v_plus, h_v_minus), 2 * epsilon, nothing_clamps)
-_clamped = _rounded("clamped", h_v, (h_v_plus, h_v_minus), v + epsilon, (pole_clamps, v + epsilon > 0))
+_off = off_plus - off_minus
+_bound = rounding_bound[rounding].xreplace({span: 2 * epsilon})
+_in_u = Claim(
+    "in_u",
+    (
+        both_ways(2 * _each, _off),
+        both_ways(2 * _each * (1 + excess), _off * growth),
+        both_ways(steepest * excess, mean * (growth - 1)),
+        equation(2 * epsilon * (h_u * growth - mean), _off * growth + 2 * epsilon * mean * (growth - 1)),
+        both_ways(2 * epsilon * _bound, 2 * epsilon * (h_u * growth - mean)),
+        both_ways(_bound, h_u * growth - mean),
+    ),
+    (epsilon > 0, both_ways(excess, growth - 1), both_ways(_each, off_plus, off_minus), both_ways(steepest, mean)),
+    of_heights({h_u_plus: here + 2 * epsilon * mean + off_plus, h_u_minus: here + off_minus}),
+    ranges={
+        (off_plus, off_minus, mean): ("-1/4", "1/4"),
+        (evaluation, argument, excess, steepest): (0, 3),
+        epsilon: (0, HALF),
+    },
+)
+_any_height = coq("roundoff_bound__of_any_height 2d6961583ad00c59")
 
 
 def _at(error):
@@ -85,12 +79,8 @@ theorem = Theorem(
         factor in
         $1 \pm \kappa$: $|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) +
         L\kappa$, in $u$
-        and in $v$ over the span $S = 2\varepsilon$,""": (
-            _in_u,
-            _in_v,
-            coq("roundoff_bound__of_any_height 2d6961583ad00c59"),
-        ),
-        r"and clamped at the pole over $S = v + \varepsilon$.": _clamped,
+        and in $v$ over the span $S = 2\varepsilon$,""": (_in_u, _any_height),
+        r"and clamped at the pole over $S = v + \varepsilon$.": _any_height,
         r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;": _two,
         r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.": _three,
     },
@@ -98,7 +88,7 @@ theorem = Theorem(
         r"$\mathrm{fl}(a \circ b) = (a \circ b)(1+d)$, $|d| \le \mu < 1$; $2\varepsilon$ is exact; nothing underflows",
         r"""$\eta, \alpha$: parameters: of the evaluation of $h$, and of the rounded $u \pm \varepsilon$, wrapped,
         or $v \pm \varepsilon$, clamped""",
-        r"""assumed in the claims of the first sentence, which are steps: $\alpha$ moves $h$ by at most $L\alpha$, and
+        r"""assumed in the claim of the first sentence, a step: $\alpha$ moves $h$ by at most $L\alpha$, and
         $|D_\varepsilon h| \le L$""",
     ),
     steps={
