@@ -61,7 +61,6 @@ _in_u = Claim(
         epsilon: (0, HALF),
     },
 )
-_any_height = coq("roundoff_bound__of_any_height 2d6961583ad00c59")
 
 
 def _at(error):
@@ -79,8 +78,10 @@ theorem = Theorem(
         factor in
         $1 \pm \kappa$: $|\hat D_\varepsilon h - D_\varepsilon h| \le \frac{2(\eta + L\alpha)}S(1+\kappa) +
         L\kappa$, in $u$
-        and in $v$ over the span $S = 2\varepsilon$,""": (_in_u, _any_height),
-        r"and clamped at the pole over $S = v + \varepsilon$.": _any_height,
+        and in $v$ over the span $S = 2\varepsilon$, and clamped at the pole over $S = v + \varepsilon$.""": (
+            _in_u,
+            coq("roundoff_bound__of_any_height 2d6961583ad00c59"),
+        ),
         r"In the standard model, with unit roundoff $\mu$, $\kappa = 2\mu + \mu^2$: $1 + \kappa = (1+\mu)^2$;": _two,
         r"where the span is rounded as well, $\kappa = (3\mu + \mu^2)/(1-\mu)$.": _three,
     },
