@@ -453,7 +453,7 @@ def test_the_roundings_that_steps_name_are_those_of_the_proof():
     assert all(f" <= {int(integer + digits)}/{10 ** len(digits)} / 2 ^ 53" in proof for integer, digits in named)
 
 
-SMALL = "Lemma small (n : nat) : n = n.\nProof.\n  intros. (* A comment. *) reflexivity.\nQed.\n"
+SMALL = "Lemma small : forall n, n = 0 + n.\nProof.\n  intros. (* A comment. *) reflexivity.\nQed.\n"
 
 
 @needs_coq
@@ -463,7 +463,7 @@ def test_each_sentence_has_the_goals_that_it_leaves(written, tmp_path, monkeypat
     monkeypatch.setattr(goals, "record", goals.record.__wrapped__)
     goals.write(tmp_path, ["Small"], ())
     left = {SMALL[start:end]: text for start, end, text in goals.steps_of(tmp_path / "Small.v")}
-    assert [*left] == ["Lemma small (n : nat) : n = n.", "Proof.", "intros.", "reflexivity.", "Qed."]
+    assert [*left] == ["Lemma small : forall n, n = 0 + n.", "Proof.", "intros.", "reflexivity.", "Qed."]
     assert left["intros."].split("=====")[0].split() == ["1", "goal", "n", ":", "nat"]
     assert [*left.values()][3:] == ["No more goals.", ""]
     written(Small=SMALL.replace("intros", "intro"))
