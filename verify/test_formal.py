@@ -316,7 +316,7 @@ UNSAID = {
 
 
 @cache
-def said(id):
+def clause_texts(id):
     """Return the text of what says each clause of a theorem; of one that claims nothing, of how it is measured."""
     theorem, record = WORDED[id], formal.record()
     texts = statements(theorem) | {pin.name: recorded.in_full(pin.name, record) for pin in theorem.pinned}
@@ -332,7 +332,7 @@ def said(id):
 def beyond(id, *clauses):
     """Return the numbers of a theorem's clauses, or of some in their place, that nothing says of each."""
     more = set()
-    for says, words in zip(said(id), clauses or [clause.text for clause in WORDED[id].clauses], strict=True):
+    for says, words in zip(clause_texts(id), clauses or [clause.text for clause in WORDED[id].clauses], strict=True):
         quotients = {Fraction(int(a), int(b)) for a, b in re.findall(QUOTIENT, says) if int(b)}
         more |= _numbers(words) - _with_exponents(says) - quotients
     return more - UNSAID.get(id, set()) - {0, 1}
@@ -346,23 +346,23 @@ def lacking(id, cut=""):
     words, *hypotheses = [text.replace(cut, "").lower() for text in (theorem.words, *theorem.hypotheses)]
     names = [claim.name.partition("_")[0] for claim in theorem.rounded]
     missing = {name for name in [*names, *["overflows"] * bool(names)] if name not in " ".join([words, *hypotheses])}
-    said_by = [(recorded.in_full(pin.name, record), hypotheses) for pin in theorem.pinned]
+    stated_by = [(recorded.in_full(pin.name, record), hypotheses) for pin in theorem.pinned]
     for name, claim in zip(names, theorem.rounded, strict=True):
         stated = [text for text in hypotheses if name in text or not any(map(text.count, names))]
-        said_by.append((claims[f"{id}__{claim.name}"], stated))
-    for text, stated in said_by:
+        stated_by.append((claims[f"{id}__{claim.name}"], stated))
+    for text, stated in stated_by:
         given = " ".join([words, *stated])
         exact = _with_exponents(given)
         other = re.sub(QUOTIENT, lambda q, of=exact: "" if Fraction(int(q[1]), int(q[2])) in of else q[0], text)
         missing |= _numbers(other) - exact - {0, 1, 2}
-        for said_in, statement in [*SAYS.items()][-3:]:
-            missing |= set() if re.search(said_in, given, re.I) else {*re.findall(statement, text)}
+        for wording, statement in [*SAYS.items()][-3:]:
+            missing |= set() if re.search(wording, given, re.I) else {*re.findall(statement, text)}
     return missing
 
 
 @pytest.mark.parametrize("id", WORDED)
 def test_words_have_the_numbers_functions_and_quantifiers_of_what_is_pinned_and_claimed(id):
-    theorem, says = WORDED[id], "\n".join(said(id))
+    theorem, says = WORDED[id], "\n".join(clause_texts(id))
     if theorem.expected == "proved" and id not in OTHERWISE:
         assert any(isinstance(claim, Induction) for claim in theorem.claims) <= bool(re.search("whole", theorem.words))
         for words, statement in SAYS.items():
@@ -471,5 +471,9 @@ def test_each_sentence_has_the_goals_that_it_leaves(written, tmp_path, monkeypat
 
 
 def test_goals_are_recorded_of_every_proof_as_it_is():
-    for path in formal.FOLDER.glob("*.v"):
-        assert path.stem in formal.GIVEN or goals.steps_of(path), f"{path.name}: python -m verify.coq records its goals"
+    """To the end of each file, and no sentence was an error."""
+    for path in (path for path in formal.FOLDER.glob("*.v") if path.stem not in formal.GIVEN):
+        steps = goals.steps_of(path)
+        assert steps, f"{path.name}: python -m verify.coq records its goals"
+        assert not re.sub(rb"\(\*.*?\*\)", b"", path.read_bytes()[steps[-1][1] :], flags=re.DOTALL).strip(), path.name
+        assert not any(re.search("^(Error|Toplevel input)", left, re.MULTILINE) for *_, left in steps), path.name

@@ -37,7 +37,7 @@ def _kept(goals: str) -> str:
 def write(folder: Path, names: Iterable[str], options: tuple[str, ...]) -> None:
     """Record the goals of files, in a folder where they are compiled, and write the record."""
 
-    def asked(name: str) -> dict:
+    def entry_of(name: str) -> dict:
         text = (folder / f"{name}.v").read_bytes()
         command = ("coqtop", "-quiet", "-emacs", "-time", *options)
         done = subprocess.run(command, cwd=folder, input=text, capture_output=True, check=True)
@@ -45,7 +45,7 @@ def write(folder: Path, names: Iterable[str], options: tuple[str, ...]) -> None:
 
     names = sorted(names)
     with ThreadPoolExecutor(2) as pool:
-        table = dict(zip(names, pool.map(asked, names), strict=True))
+        table = dict(zip(names, pool.map(entry_of, names), strict=True))
     write_whole(RECORD, lzma.compress(json.dumps(table).encode(), preset=9))
 
 

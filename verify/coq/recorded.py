@@ -80,5 +80,5 @@ def why_not_pinned(theorem: Theorem) -> list[str]:
 
 def _denies(false, text):
     """Return whether a text says that something is not so, by a third of the names of another text."""
-    denied, said = ({*WORD.findall(each.partition("\n\n")[0])} for each in (false, text))
-    return false.startswith("~") and 3 * len(denied & said) >= len(said)
+    denied, stated = ({*WORD.findall(each.partition("\n\n")[0])} for each in (false, text))
+    return false.startswith("~") and 3 * len(denied & stated) >= len(stated)
