@@ -186,3 +186,8 @@ REFUSED = {
 def test_what_is_refused(text):
     with pytest.raises(ValueError, match=f"^{re.escape(text)}"):
         REFUSED[text]()
+
+
+def test_a_frame_is_of_the_scene_that_was_given():
+    for scene in (Scene(beta=0.0), Scene(beta=-0.0), Scene(beta=0.0)):
+        assert render(scene, 8, 8).scene is scene

@@ -86,6 +86,8 @@ def render(
         shot = (_shot if crop else _same_shot)(*described)
     except TypeError:  # something that has no hash
         shot = _shot(*described)
+    if shot.scene is not scene:  # an equal one, which may have 0.0 where this has -0.0
+        shot = _shot(*described)
     by, bounds, threads = (), check_truth("bounds", bounds), checked_threads(threads)
     changes: dict[str, Any] = {"bounds": True} if bounds else {}
     if not isinstance(derivatives, tuple) or derivatives:
