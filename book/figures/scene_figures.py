@@ -18,7 +18,7 @@ BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both
     3: ("floor, light square", (0xE6, 0xD9, 0xB4)),
     3 | 128: ("floor, dark square", (0x9C, 0xA9, 0x7C)),
 }
-HIDDEN = {0: ("both lights", 1.0), 4: ("first hidden", 0.74), 8: ("second hidden", 0.55), 12: ("neither", 0.4)}
+HIDDEN = {0: ("both lights", 1.0), 4: ("no first", 0.74), 8: ("no second", 0.55), 12: ("neither", 0.4)}
 """{bits 2 and 3, the lights that another body hides: (name, how bright the colour is)}"""
 
 
