@@ -415,6 +415,12 @@ async function simulator_module(data, ...programs) {
       4 * stage.pitch * (last - first)
     );
 
+  /** Put a painted picture into a canvas. @param {HTMLCanvasElement} canvas @param {Stage} stage @param {string} name */
+  function put_into(canvas, stage, name, left = 0) {
+    const image = new ImageData(bytes(stage, name, [0, stage.raster.high]), stage.pitch);
+    canvas.getContext("2d")?.putImageData(image, left, 0);
+  }
+
   /**
    * Draw A, all of it or some rows.
    * @param {SceneState} state
@@ -755,6 +761,7 @@ async function simulator_module(data, ...programs) {
     paint,
     fill,
     bytes,
+    put_into,
     render,
     draw_pair,
     chart: points_of_a,
