@@ -38,14 +38,9 @@ function make_element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/**
- * Return a new button that has work done.
- * @param {Node | string} label
- * @param {() => void} work
- * @param {Record<string, string | number>} [attributes]
- */
-function make_button(label, work, attributes) {
-  const button = make_element("button", { type: "button", ...attributes }, label);
+/** Return a new button that has work done. @param {string} label @param {() => void} work */
+function make_button(label, work) {
+  const button = make_element("button", { type: "button" }, label);
   button.addEventListener("click", work);
   return button;
 }
@@ -237,11 +232,11 @@ function when_ready(work) {
 }
 
 /**
- * Do some work for each element, once: when it is less than a screen away.
+ * Do some work for each element, once: when it is less than a screen away, or so much.
  * @param {Iterable<HTMLElement>} elements
  * @param {(element: HTMLElement) => void} work
  */
-function when_near(elements, work) {
+function when_near(elements, work, rootMargin = "100%") {
   const far = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries) {
@@ -250,7 +245,7 @@ function when_near(elements, work) {
         work(/** @type {HTMLElement} */ (target));
       }
     },
-    { rootMargin: "100%" }
+    { rootMargin }
   );
   for (const element of elements) far.observe(element);
 }

@@ -10,7 +10,6 @@
 function simulator_pictures(root, states, data, module) {
   const NAMES = ["numeric", "symbolic", "difference"];
   const POINTS = 257;
-  const TICK = 10; // pixels of the page
   const HEAD = 33; // bytes of a PNG's signature and first chunk
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
   const boxes = NAMES.map((name) => find_element(root, `[data-picture="${name}"]`));
@@ -98,42 +97,28 @@ function simulator_pictures(root, states, data, module) {
   }
 
   /**
-   * Draw the creases as far as they are seen, over A alone; or else a tick beyond each end of them.
+   * Draw the creases as far as they are seen, over A alone.
    * @param {CanvasRenderingContext2D} context
    * @param {State} state
-   * @param {boolean} whole
    */
-  function draw_loci(context, state, whole) {
+  function draw_loci(context, state) {
     const place = module.placing_in(states.crop(state));
     const { eye, radius } = data.scene;
     const { width } = context.canvas;
     const zoom = width / state.size;
-    const ratio = width / context.canvas.clientWidth;
     /** @param {number} x @param {number} y @returns {Point} */
     const scaled = (x, y) => {
       const [right, below] = place(x, y);
       return [right * zoom, below * zoom];
     };
-    const [middle_x, middle_y] = scaled(0, 0);
     let path = "";
     for (const { a, b, level } of module.crease_lines(state)) {
       const [x, y] = module.kernel_over("crease_point", a, b, level, along, eye, radius);
-      const points = Array.from(x, (_, n) => scaled(x[n], y[n]));
-      if (whole) path += line_path(points);
-      else {
-        const ends = points.filter(
-          ([right], n) => !Number.isNaN(right) && n + 1 < POINTS && Number.isNaN(points[n + 1][0])
-        );
-        for (const [right, below] of ends) {
-          const share = (TICK * ratio) / Math.hypot(right - middle_x, below - middle_y);
-          path += `M${right} ${below}l${share * (right - middle_x)} ${share * (below - middle_y)}`;
-        }
-      }
+      path += line_path(Array.from(x, (_, n) => scaled(x[n], y[n])));
     }
-    context.lineWidth = Math.max(1, ratio);
+    context.lineWidth = Math.max(1, width / context.canvas.clientWidth);
     context.strokeStyle = "white";
     context.stroke(new Path2D(path));
-    if (!whole) return;
     context.globalCompositeOperation = "destination-in";
     context.imageSmoothingEnabled = false;
     context.drawImage(seen.mask, 0, 0, width, width);
@@ -144,17 +129,16 @@ function simulator_pictures(root, states, data, module) {
   function decorate(state = shown) {
     if (!shown || !state) return;
     const { size, zoom, left, top, view, field, ku, kv } = shown;
-    const whole = view === "loci";
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
-    const key = [size, zoom, left, top, whole, field, ku, kv, ...sides].join();
+    const key = [size, zoom, left, top, view, field, ku, kv, ...sides].join();
     if (key === decorated) return;
     decorated = key;
     for (const [n, canvas] of overlays.entries()) {
-      canvas.hidden = !whole && NAMES[n] !== "difference";
+      canvas.hidden = view !== "loci";
       resize(canvas, sides[n]);
-      if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown, whole);
+      if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown);
     }
   }
 

@@ -66,7 +66,6 @@ function simulator_start(root, compiled, module) {
     const redraw = drawn_key(next) !== drawn_key(state);
     module.own_of(next); // which refuses what is not finite
     state = next;
-    root.classList.toggle("sim-typed", state.field === "own");
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
@@ -269,23 +268,21 @@ function simulator_start(root, compiled, module) {
   };
 
   // The loupe and the certified bounds are fetched when they are first in sight; the one file has them.
-  function watch_closer() {
-    const watch = new IntersectionObserver(async (entries) => {
-      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-      watch.disconnect();
-      const parts = await closer_parts(data, compiled);
-      const [all, ...programs] = parts;
-      const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
-      const certified = simulator_certified(root, states, parts, pictures.show_bounds);
-      function show() {
-        loupe.show(state);
-        certified.ask(state);
-      }
-      root.addEventListener("pixel", show);
-      root.addEventListener("state", () => certified.ask(state));
-      show();
-    });
-    for (const box of ["#loupe", "#certified"]) watch.observe($(box));
+  let is_close = false;
+  async function look_closer() {
+    if (is_close) return;
+    is_close = true;
+    const parts = await closer_parts(data, compiled);
+    const [all, ...programs] = parts;
+    const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
+    const certified = simulator_certified(root, states, parts, pictures.show_bounds);
+    function show() {
+      loupe.show(state);
+      certified.ask(state);
+    }
+    root.addEventListener("pixel", show);
+    root.addEventListener("state", () => certified.ask(state));
+    show();
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
@@ -310,7 +307,7 @@ function simulator_start(root, compiled, module) {
     for (const button of find_all(root, `button[data-${name}]`))
       button.addEventListener("click", () => work(button.getAttribute(`data-${name}`) ?? "", button));
   }
-  watch_closer();
+  when_near(["#loupe", "#certified"].map($), look_closer, "0%");
   controls.show(state);
   lamp.show(state);
   fit(); // before anything is drawn in it, which else moves once more
@@ -318,12 +315,7 @@ function simulator_start(root, compiled, module) {
   if (is_addressed) root.scrollIntoView();
   addressed = state;
   engine.start();
-  const opening = new IntersectionObserver(([{ isIntersecting }]) => {
-    if (!isIntersecting) return;
-    opening.disconnect();
-    if (!is_addressed) presets.open();
-  });
-  opening.observe(root);
+  if (!is_addressed) when_near([root], presets.open, "0%");
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || is_typed(event) || !"zy".includes(event.key.toLowerCase())) return;
     event.preventDefault();
