@@ -87,7 +87,7 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
   function begin() {
     on_click(".theme-switch-button", next_colour);
     on_click(".search-button__button", search);
-    for (const dialog of find_all(document, "dialog")) dialog.setAttribute("closedby", "any"); // by a click beside it
+    for (const dialog of document.querySelectorAll("dialog")) dialog.closedBy = "any"; // by a click beside it
     /** @type {HTMLButtonElement[]} */ (find_all(document, ".dropdown-toggle")).forEach(drop_down);
     menu("primary", 992);
     menu("secondary", 1200);

@@ -1,6 +1,8 @@
 // What the book's scripts share: elements, numbers as print has them, and a little arithmetic.
 "use strict";
 
+const PICTURES = ["numeric", "symbolic", "difference"];
+
 /**
  * Return the first element of a selector, which the page has; throw where it has none.
  * @template {Element} [E=HTMLElement]
@@ -172,9 +174,6 @@ function as_slider(own, origin, label, [first, last], moved, stepped) {
   /** @param {number} now @param {string} words */
   return (now, words) => set_attributes(own, { "aria-valuenow": now, "aria-valuetext": words });
 }
-
-/** Milliseconds as seconds. @param {number} time */
-const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
 
 /**
  * A worker that runs functions of the page: a file that is opened from a disk may load none by its address. The last

@@ -5,7 +5,6 @@
 /** @type {Record<string, Idea>} */
 const IDEAS = {};
 const SIDE = 128; // pixels of a small picture
-const PICTURES = ["numeric", "symbolic", "difference"];
 const EXACT = { name: "exact" };
 const SURFACES = ["nothing", "sphere A", "sphere B", "the floor"];
 

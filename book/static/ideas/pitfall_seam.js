@@ -7,11 +7,14 @@ const pitfall_of =
   (stage, module, data) => {
     const show = stage.three(...PICTURES);
     let { value } = range;
-    /** @param {number} to */
-    function set(to) {
-      value = to;
-    }
-    stage.slider(label, range, set, name);
+    stage.slider(
+      label,
+      range,
+      (to) => {
+        value = to;
+      },
+      name
+    );
     const says = stage.says();
     return () => {
       const state = scene_state(data, { field: "sine", ...changes(value) });

@@ -19,8 +19,12 @@ IDEAS.pixel_worked = (stage, module, data) => {
   }
 
   const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
-  const look = { width: SIZE, height: SIZE, role: "img", "aria-label": "the chapter's scene" };
-  const canvas = add_element(panel.box, "canvas", look);
+  const canvas = add_element(panel.box, "canvas", {
+    width: SIZE,
+    height: SIZE,
+    role: "img",
+    "aria-label": "the chapter's scene"
+  });
   panel.box.classList.add("idea-picture");
   const put_pixel = panel.handle("the pixel, column and row", [0, SIZE - 1], set, (right, up) =>
     set(column + right, row - up)

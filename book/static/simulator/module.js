@@ -513,14 +513,14 @@ async function simulator_module(data, ...programs) {
   }
 
   /**
-   * Draw and paint whole pictures by two methods, and their difference; return the colours of both.
+   * Draw and paint whole pictures by two methods, which may change the scene, and their difference; return both's colours.
    * @param {SceneState} state
-   * @param {Record<string, Method>} methods
+   * @param {Record<string, Method & { scene?: Partial<SceneState> }>} methods
    * @param {Stage} stage
    */
   function draw_pair(state, methods, stage) {
     const colors = Object.entries(methods).map(([name, method]) => {
-      const planes = render(state, method, stage, name);
+      const planes = render({ ...state, ...method.scene }, method, stage, name);
       paint("paint_colors", stage, name, { whole: true });
       return planes;
     });

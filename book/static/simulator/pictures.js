@@ -8,11 +8,10 @@
  * @param {SimulatorModule} module
  */
 function simulator_pictures(root, states, data, module) {
-  const NAMES = ["numeric", "symbolic", "difference"];
   const POINTS = 257;
   const HEAD = 33; // bytes of a PNG's signature and first chunk
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
-  const boxes = NAMES.map((name) => find_element(root, `[data-picture="${name}"]`));
+  const boxes = PICTURES.map((name) => find_element(root, `[data-picture="${name}"]`));
   /** @param {string} selector @returns {HTMLCanvasElement[]} */
   const canvases = (selector) => boxes.map((box) => find_element(box, selector));
   const overlays = canvases(".over");
@@ -60,7 +59,7 @@ function simulator_pictures(root, states, data, module) {
       const first = part.begin + top;
       if (name === "difference") into.levels.set(bytes, 4 * first * band.wide);
       else if (bytes.length)
-        context_of(into.bases[NAMES.indexOf(name)], false).putImageData(new ImageData(bytes, band.wide), 0, first);
+        context_of(into.bases[PICTURES.indexOf(name)], false).putImageData(new ImageData(bytes, band.wide), 0, first);
     }
     if (!codes) return;
     const on_a = new ImageData(band.wide, band.high);
@@ -84,7 +83,7 @@ function simulator_pictures(root, states, data, module) {
     if (!shown) return;
     for (const [n, canvas] of seen.bases.entries()) {
       const room = sides[n] || seen.side;
-      if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
+      if (PICTURES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
       canvas.classList.toggle("smooth", canvas.width > room / 2 && room % canvas.width > 0);
     }
   }
@@ -173,7 +172,7 @@ function simulator_pictures(root, states, data, module) {
 
   /** A picture with all of its pixels. @param {string} name */
   function canvas_of(name) {
-    const canvas = seen.bases[NAMES.indexOf(name)];
+    const canvas = seen.bases[PICTURES.indexOf(name)];
     if (name !== "difference") return canvas;
     const whole = document.createElement("canvas");
     put_difference(whole, seen.side);

@@ -75,7 +75,6 @@ function simulator_readouts(root, data, module) {
     $(".sim-legend").innerHTML = legends
       .map(([color, words]) => `<span><i style="background:${color}"></i> ${words}</span>`)
       .join(" ");
-    $("#certified").hidden = view !== "bounds";
   }
 
   /** Give every picture a name that says what it shows now. @param {State} state */

@@ -78,10 +78,12 @@ function simulator_start(root, compiled, module) {
     saved = setTimeout(put_into_address, 300);
   }
 
-  // What changes the pictures is a step that can be undone; where the cursor is, is none. The browser's Back leaves the page.
-  function put_into_address() {
-    history.replaceState(null, "", states.fragment(state));
-    if (drawn_key(state) === drawn_key(addressed)) return;
+  // What changes the pictures is a step that can be undone; where the cursor is, is none, and leaves the address of another
+  // place as it is. The browser's Back leaves the page.
+  function put_into_address(is_asked = false) {
+    const is_step = drawn_key(state) !== drawn_key(addressed);
+    if (is_asked || is_step || /^(#sim|$)/.test(location.hash)) history.replaceState(null, "", states.fragment(state));
+    if (!is_step) return;
     past.push(addressed);
     undone.length = 0;
     addressed = state;
@@ -262,7 +264,7 @@ function simulator_start(root, compiled, module) {
     },
     copy: () => copy(states.python(state), $(".sim-python code")),
     link(_, button) {
-      put_into_address();
+      put_into_address(true);
       copy(location.href, button);
     }
   };
@@ -311,11 +313,10 @@ function simulator_start(root, compiled, module) {
   controls.show(state);
   lamp.show(state);
   fit(); // before anything is drawn in it, which else moves once more
-  const is_addressed = from_address();
-  if (is_addressed) root.scrollIntoView();
+  if (from_address()) root.scrollIntoView();
   addressed = state;
   engine.start();
-  if (!is_addressed) when_near([root], presets.open, "0%");
+  if (!location.hash || root.closest(":target")) when_near([root], presets.open, "0%");
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || is_typed(event) || !"zy".includes(event.key.toLowerCase())) return;
     event.preventDefault();
