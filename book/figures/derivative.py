@@ -6,7 +6,7 @@ from book.drawing.registry import Drawing, figure
 from book.drawing.style import curve, decades, label_curve, panels, plot
 from renderer import Scene, exact, fit, render
 from renderer.files.srgb import to_bytes
-from renderer.picture.views import derivative_view, difference_logarithmic, image_view
+from renderer.picture.views import derivative_view, image_view
 
 SCENE, SIDE, SMALL, MANY = Scene(field="sine"), 264, 152, 512
 MAPS = {"beta": "by β", "ku": "by $k_u$", "lights[0].position[0]": "by a light's x"}
@@ -73,7 +73,7 @@ def derivative_u_curve() -> Drawing:
 
 @figure
 def derivative_fit() -> Drawing:
-    """A target, where its search starts, their difference; numbers of ten starts, and of one from afar."""
+    """A target, and where its search starts; numbers of ten starts, and of one from afar."""
     names, random, target = ("beta", "ku"), np.random.default_rng(52), render(SCENE, 64, 64, exact("general")).rgb
 
     def found(share, waves):
@@ -85,8 +85,7 @@ def derivative_fit() -> Drawing:
     numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": found(-0.7, -5).scene.ku}
     numbers |= {"most": max(each.pictures for each in near), "side": len(target)}
     frames = [render(s, SMALL, SMALL, bounds=True) for s in (SCENE.with_numbers({"beta": 0.2, "ku": 8.2}), SCENE)]
-    pictures = [*map(image_view, frames), difference_logarithmic(frames[0].rgb - frames[1].rgb)]
-    return Drawing(panels(pictures, ("the target", "the sphere", "difference")), numbers, shown=frames)
+    return Drawing(panels([*map(image_view, frames)], ("the target", "the sphere")), numbers, shown=frames)
 
 
 @figure
