@@ -1,6 +1,7 @@
 """Ways to a picture's slope, timed beside the picture: ours, with bounds, by ten numbers; a difference; JAX's jvp."""
 
 import operator
+from collections.abc import Callable
 from functools import partial
 from importlib.util import find_spec
 from itertools import chain, repeat
@@ -63,7 +64,7 @@ def slope_numbers(rounds: int) -> dict[str, float]:
     """Return the times of pictures and slopes, CASE_ms, and ratios; on one thread. JAX only where it is installed."""
     draw = partial(render, SCENE, SIDE, SIDE, threads=1)
     above, below = (SCENE.with_numbers({"beta": SCENE.beta + move}) for move in (STEP, -STEP))
-    ways = {
+    ways: dict[str, Callable] = {
         "picture": draw,
         "bounded": partial(draw, bounds=True),
         "general": partial(draw, gradient=exact("general")),

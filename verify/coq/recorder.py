@@ -117,7 +117,8 @@ class Recorder(Rows):
 
 def values_of(lines: Iterable[tuple], inputs: Iterable, done: Callable) -> list:
     """Return the values of recorded lines for their inputs in order; done(name, *numbers): an operation's result."""
-    inputs, values = iter(inputs), []
+    values: list[Any] = []
+    inputs = iter(inputs)
 
     def holds(condition, compared):
         kind, *parts = condition
