@@ -96,8 +96,13 @@ def found_again() -> Drawing:
     start = SCENE.with_numbers(begin)
     given = render(SCENE, SMALL, SMALL, exact("general")).rgb + random.normal(0, 0.1, (SMALL, SMALL, 3))
     found = fit(start, given, [*begin])
-    numbers = {"start": begin, "found": {name: found.scene.number(name) for name in begin}, "error": found.errors}
-    numbers |= {"pictures": found.pictures, "side": SMALL}
+    numbers = {
+        "start": begin,
+        "found": {name: found.scene.number(name) for name in begin},
+        "error": found.errors,
+        "pictures": found.pictures,
+        "side": SMALL,
+    }
     frames = [render(scene, SMALL, SMALL, bounds=True) for scene in (start, found.scene)]
     pictures = [to_bytes(given), *map(image_view, frames)]
     return Drawing(panels(pictures, ("given", "the start", "found")), numbers, shown=frames)
