@@ -17,7 +17,7 @@ from verify.enclosed_pixels import random_raster, random_scene
 
 def chambers(scene, *raster):
     """Return the chambers of a scene, whose boxes are made anew."""
-    for cached in (numbers.numbers_of, bounds.ball_box, bounds.shadow_boxes):
+    for cached in (bounds.ball_box, bounds.shadow_boxes):
         cached.cache_clear()
     return stage_of(scene, *raster, threads=1).chambers
 
