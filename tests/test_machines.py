@@ -64,7 +64,7 @@ numpy_draws = partial(drawn_by, numpy_rows.drawer)
 
 
 def held(frame):
-    """Return {name: array} of what a frame holds, the counts among it."""
+    """Return {name: array} of a frame's colours, chambers, planes on A and counts."""
     planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
     return planes | {kind: np.array(count) for kind, count in frame._counts.items()}
 

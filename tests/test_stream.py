@@ -114,4 +114,4 @@ def test_memory_does_not_grow_with_the_picture(tmp_path):
     """The peak of a child's resident memory, mapped pages included: the picture's planes alone are 96 MiB."""
     streamed, in_memory = map(float, python("-c", MEMORY, tmp_path / "a.npy")[0].split())
     assert streamed < 32
-    assert in_memory > 64  # what it has given back may be used again
+    assert in_memory > 64  # memory that was given back may be used again

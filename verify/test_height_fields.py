@@ -106,7 +106,7 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
 
 @pytest.mark.parametrize("name", ["ridges", "tent", "golf", "bricks", "nested", "hills"])
 def test_no_difference_is_off_unless_it_straddles(name):
-    """Where it does and a slope jumps, it is off by some of the jump; out and back within the step is not noticed."""
+    """A difference across a jump of the slope is off by some of the jump; two crossings in one step are not noticed."""
     at = *np.random.default_rng(53).uniform(0, 1, (2, 4000)), 8.0, 4.0
     ours, true = function_of(METHODS["central"](FIELDS[name]))(*at, 1e-3), function_of(gradient(FIELDS[name]))(*at)
     off = np.max([abs(one - other) + 0 * at[0] for one, other in zip(ours, true, strict=True)], axis=0)

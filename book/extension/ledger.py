@@ -129,7 +129,7 @@ def in_signs(text: str) -> Nodes:
 
 @cache
 def figure_pages(book: Path) -> dict[str, str]:
-    """Return the page on which each figure is placed."""
+    """Return {figure's id: the page on which it is placed}."""
     return dict(placed(book, "chapter-figure|idea|worked-pixel"))
 
 

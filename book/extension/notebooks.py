@@ -32,7 +32,7 @@ INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 HELD = re.compile(r'ipynb\+json;base64,([^"]+)"[^>]+download="(\w+\.ipynb)"')
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
 UNCOLOURED = re.compile(r'<span class="[npw]">([^<]*)</span>')  # names, signs and blanks, half of the page's bytes
-SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
+SHOWN = ("# Knobs:", "# Here:")  # the beginnings of lines that are not folded
 
 
 @directive("notebook", arguments=1)

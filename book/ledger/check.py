@@ -1,6 +1,6 @@
 """Hold the ledger against a run: grades, numbers, tests, sources; and see that nothing is left without a claim.
 
-What an entry's texts cite is held by the site's build, which prints them.
+The site's build, which prints an entry's texts, checks their citations and numbers.
 """
 
 import ast

@@ -161,7 +161,7 @@ class Frame:
     _repr_png_ = to_png  # which a notebook shows
 
     def _record(self):
-        """Return the text by which the picture can be drawn again."""
+        """Return the record, a text, from which `--again` draws the picture."""
         return text_of(self.shot)
 
     def save(self, path: str | Path, linear: str | None = None) -> None:
@@ -272,7 +272,7 @@ class Frame:
 
     @property
     def chambers(self) -> np.ndarray:
-        """(height, width) uint8, read-only: every frame of the stage has the same."""
+        """(height, width) uint8, the codes that `Stage` defines; read-only, as all frames of the stage share them."""
         return self.stage.chambers
 
     @cached_property

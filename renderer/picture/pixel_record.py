@@ -85,7 +85,7 @@ def pixel(
 
 
 class _WrittenDown(Group):
-    """A group of one pixel whose point, normal and lights are kept."""
+    """A group of one pixel, run for its point, its normal and each light's part: its `record`."""
 
     def light_up(self, mask, place, albedo, bodies, upright=None):
         """Record each light's part, in place of adding it up."""

@@ -1,6 +1,6 @@
 """Our own elementary functions: the bounds that are charged are those that Coq proves; the ends of their ranges.
 
-What Coq proves of each is sampled with the enclosing machine's rules: `verify/test_bounds.py`.
+`verify/test_bounds.py` samples each bound that Coq proves, with the enclosing machine's rules.
 """
 
 import json

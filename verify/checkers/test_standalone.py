@@ -17,7 +17,7 @@ def bare(*command):
     return done.returncode, done.stdout, done.stderr
 
 
-SCRIPTS = [  # what is changed behind the first certificate's beginning
+SCRIPTS = [  # changes behind the first certificate's beginning
     ("unit_length", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
     ("tangent_frame", '"is": "="', '"is": ">="', "tangent_frame: REJECTED."),
 ]
