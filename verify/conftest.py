@@ -37,7 +37,7 @@ def pytest_configure(config):
 
 
 def pytest_ignore_collect(collection_path, config):
-    """With --theorem, do not even import the other tests."""
+    """Ignore the other tests where --theorem is given: they are not even imported."""
     others = collection_path.name.startswith("test_") and collection_path.name != "test_theorems.py"
     return True if config.getoption("theorem") and others else None
 

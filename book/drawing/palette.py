@@ -53,7 +53,7 @@ def for_dark(svg: str) -> str:
 
 
 def _luminance(colour: str) -> float:
-    """Relative luminance as the Web Content Accessibility Guidelines define it."""
+    """Return the relative luminance as the Web Content Accessibility Guidelines define it."""
     linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)]
     return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 

@@ -110,7 +110,7 @@ class Entries(Here):
         return file_link(text, f"/_generated/{figure}.json", f"{figure}.json")
 
     def first_with(self) -> dict[str, LedgerClaim]:
-        """Finding → the claim that has its anchor: the one whose verdict is the hardest."""
+        """Return {finding: the claim that has its anchor}: of its claims the one with the hardest verdict."""
         hardest = sorted(self.ledger.sorted_by_place(), key=lambda claim: VERDICTS.index(claim.verdict))
         return {code: next(claim for claim in hardest if code in claim.findings) for code in FINDINGS}
 

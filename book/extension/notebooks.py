@@ -44,7 +44,7 @@ def notebook_links(here: SphinxDirective) -> Nodes:
 
 
 def ways_to_run(here: SphinxDirective, name: str, title: str, notebook: NotebookNode, code: str) -> Nodes:
-    """Links to a notebook; code: the selector of what is copied, if anything is."""
+    """Return links to a notebook; code: the selector of the text that a button copies, if there is one."""
     config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
     match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebook).encode()
     link = {

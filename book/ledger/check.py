@@ -122,7 +122,7 @@ def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:
 
 
 def _orphans(ledger: Ledger, run: Run) -> Iterator[str]:
-    """Theorems, findings and places of the seed that no claim accounts for."""
+    """Return the theorems, findings and places of the seed that no claim accounts for."""
     needed = {piece.name for claim in ledger.claims for piece in claim.evidence if piece.kind == "theorem"}
     yield from (f"theorem {id}: no claim rests on it" for id in run.entries if id not in needed)
     codes = {code for claim in ledger.claims if claim.verdict != OUTSIDE for code in claim.findings}
