@@ -1,4 +1,4 @@
-"""Draw the figures that changed, two at a time, say why, and remove what no figure claims.
+"""The drawing of figures that changed, two at a time, with the reason, and the removal of files of none.
 
 Each is kept by the hashes of all that it can depend on.
 """

@@ -1,4 +1,4 @@
-"""Hold the ledger against a run: grades, numbers, tests, sources; and see that nothing is left without a claim.
+"""The ledger's check against a run: grades, numbers, tests, sources; and that nothing is left without a claim.
 
 The site's build, which prints an entry's texts, checks their citations and numbers.
 """

@@ -1,4 +1,4 @@
-"""`python -m book release-notes` and `python -m book release`.
+"""The commands `python -m book release-notes` and `python -m book release`.
 
 The notes compare the built book with the last release in `releases/`: theorems, numbers (in ulps or per cent), pictures
 (with difference images; of a plot, that its numbers moved). They fail where a grade was weakened, or a number left the

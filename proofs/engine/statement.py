@@ -1,4 +1,4 @@
-"""From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
+"""Translation of a claim, in SymPy, into statements, data that the kernel checks. This file is trusted.
 
 The rules (`proofs.engine.certificate` has the format). Symbols are plain real ones: a sign, a range, being whole is a
 hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names

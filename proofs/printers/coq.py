@@ -1,4 +1,4 @@
-"""Programs as Coq definitions over its real numbers: a module, each line a function of the names that it reads."""
+"""Printer of programs as Coq's definitions over real numbers: a module, each line a function of the names it reads."""
 
 import re
 import textwrap

@@ -1,4 +1,4 @@
-"""Claims as propositions for Coq to prove.
+"""Printer of claims as propositions for Coq to prove.
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> needs and conclusions.
 

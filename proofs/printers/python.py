@@ -1,4 +1,4 @@
-"""Straight-line programs as Python functions, for NumPy's arrays, traced values (LLVM) and numbers that count.
+"""Printer of programs as Python functions, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
 The printed text fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.

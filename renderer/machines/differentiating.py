@@ -1,4 +1,4 @@
-"""The numbers of a machine around a machine: each is one of the inner machine's and its slopes, by numbers of a scene.
+"""Numbers with slopes, of a machine around another one: a number of the inner machine, and its slopes by a scene's.
 
 The machine is `renderer.machines.differentiating_machine`.
 

@@ -1,4 +1,4 @@
-"""The numbers of a machine around a machine: each is one of the inner machine's and a bound on how far that is off.
+"""Numbers with bounds, of a machine around another one: a number of the inner machine, and how far it may be off.
 
 The machine is `renderer.machines.enclosing_machine`.
 

@@ -1,4 +1,4 @@
-"""The shot, and the numbers that the shader reads: of the scene, of each light, and boxes in which each thing lies."""
+"""The shot, made once of a scene, and the numbers that the shader reads: of scene and lights, and of bodies' boxes."""
 
 import math
 from collections.abc import Callable, Iterable
