@@ -171,7 +171,7 @@ class Frame:
         numbers as `linear` says, "float32" or "float64". `.npy`: `rgb`, float64. `.npz`: `rgb`, `chambers`,
         `slope_arrays()` and `data_on_a`, whose numbers are those of the pixels where `chambers & 3` is 1, row by row. A
         `.png` and a `.npz` carry the scene, the method and the raster: `python -m renderer image --again FILE` draws
-        them again, unless a field of one's own has no text.
+        them again, unless a custom field has no text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
