@@ -12,7 +12,8 @@ import pytest
 from PIL import Image
 from playwright.sync_api import expect
 
-from book import idea_kernels, worked
+from book import worked
+from book.programs import idea_kernels
 from renderer import Light, Scene, central, exact, gradient_at, pixel, render
 from renderer.files.srgb import to_bytes
 from renderer.picture.views import difference_logarithmic, image_view

@@ -9,7 +9,7 @@ from urllib.parse import urlencode
 import numpy as np
 import pytest
 
-from book.loupe_module import pairs_of, samples_of
+from book.programs.loupe_module import pairs_of, samples_of
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, exact, pixel, render
 from renderer.intervals import certain_digits

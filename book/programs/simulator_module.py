@@ -15,8 +15,8 @@ from PIL import ImageColor
 
 from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
-from book.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
-from book.webassembly import LANES, compiled_module, emitted
+from book.programs.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
+from book.programs.webassembly import LANES, compiled_module, emitted
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, kernels

@@ -7,7 +7,7 @@ A picture's bounds are the renderer's, by the machine of `renderer.machines.encl
 from collections.abc import Callable
 from itertools import product
 
-from book.simulator_module import OFF_A, SCENE, WAYS, script
+from book.programs.simulator_module import OFF_A, SCENE, WAYS, script
 from proofs.formulas.finite_difference import HEIGHTS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
