@@ -71,7 +71,7 @@ def addressed(tab):
 
 
 def type_into(tab, name, text):
-    """Type into a box; return what is said of it."""
+    """Type into a box; return the page's remark on it."""
     box = tab.locator(f"[data-parameter={name}] input[type=text]")
     box.fill(text)
     box.press("Tab")

@@ -22,7 +22,7 @@ PICTURES = [((37, 53), None), ((701, 5), None), ((1, 1), None), ((MAX_SIDE, MAX_
 
 @pytest.mark.parametrize("size, crop", PICTURES)
 def test_a_streamed_picture_is_that_of_render(size, crop, tmp_path, monkeypatch):
-    """And its progress sees every band."""
+    """The progress wrapper sees every band."""
     monkeypatch.setattr(stream, "BAND_PIXELS", 300)
     path, method, bands_drawn = tmp_path / "a.npy", central(1e-3), []
     shape = stream.stream(Scene(), *size, path, method, crop, progress=lambda bands: bands_drawn.extend(bands) or bands)
