@@ -29,6 +29,7 @@ PAGES = {
     "s2": ["scene_from_the_side", "pixel_worked"],
     "s3": ["two_slopes"],
     "s7": ["pitfall_seam"],
+    "derivative": ["derivative_fit"],
 }
 # Brings into sight one figure after another that is still.
 STARTED = """(() => {
@@ -233,6 +234,23 @@ def test_a_pitfall_shows_the_renderers_pictures_and_says_its_numbers(idea, name,
     ends.append(f"{(0.3 + eps) - (0.3 - eps):.3e}")
     expected = words.format(*(end.replace("-", "−") for end in ends))
     assert re.search(expected, figure.locator(".idea-says").inner_text())
+
+
+def test_the_sphere_finds_a_target_and_says_so_when_it_does_not(idea):
+    """Of the first line, the RMS is the renderer's."""
+    _, figure, _ = idea("derivative_fit")
+    scenes = Scene(field="sine"), Scene(field="sine", beta=0.2, ku=8.2)
+    start, target = (render(scene, 128, 128).rgb for scene in scenes)
+    says, lines = figure.locator(".idea-says"), figure.locator("li")
+    figure.locator("button").first.click()
+    expect(says).to_have_text("Found.")
+    first, *_, last = map(numbers, lines.all_inner_texts())
+    assert first[2] == pytest.approx(100 * np.sqrt(np.mean((target - start) ** 2)), abs=0.05)
+    assert last[:2] == pytest.approx([0.2, 8.2], rel=1e-7)
+    figure.get_by_label("target k").fill("9.5")
+    while not says.inner_text():
+        figure.locator("button").last.click()
+    assert "did not converge" in says.inner_text()
 
 
 @pytest.mark.parametrize("page", [*PAGES, "s4"])

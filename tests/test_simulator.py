@@ -105,6 +105,13 @@ def test_controls_set_the_state_the_address_holds_it_and_a_step_is_undone(tab):
     assert tab.evaluate("history.length") == pages  # so that the browser's Back leaves the page
 
 
+def test_the_cursor_leaves_the_address_of_a_part(visit):
+    tab = visit("s4", fragment="#four-experiments")
+    tab.press("[data-picture=symbolic]", "ArrowDown")
+    tab.wait_for_timeout(500)
+    assert tab.url.endswith("#four-experiments")
+
+
 def test_a_box_takes_what_the_page_prints_and_says_what_it_refuses(tab):
     for text, eps in TYPED.items():
         assert type_into(tab, "eps", text) == ""
