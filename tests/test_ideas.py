@@ -12,7 +12,8 @@ import pytest
 from PIL import Image
 from playwright.sync_api import expect
 
-from book import idea_kernels, worked
+from book import worked
+from book.programs import idea_kernels
 from renderer import Light, Scene, central, exact, gradient_at, pixel, render
 from renderer.files.srgb import to_bytes
 from renderer.picture.views import difference_logarithmic, image_view
@@ -36,7 +37,7 @@ STARTED = """(() => {
     still?.scrollIntoView({ behavior: 'instant' });
     return !still && document.querySelector('figure.idea') !== null;
 })()"""
-# Whether all that is drawn by a background alone differs from the page's own.
+# True if all parts that are drawn by a background alone differ from the page's.
 DIFFERS = """() => {
     const drawn = 'foreignObject div, .idea-swatch, [aria-pressed=true], .sim-dot, .sim-certified i, .fa-solid, .fas';
     const looks = [...document.querySelectorAll(drawn)].map(part => getComputedStyle(part));
@@ -207,7 +208,7 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
 
 
-# What a pitfall's three canvases show, each as a PNG.
+# A pitfall's three canvases, each as a PNG.
 CANVASES = "figure => [...figure.querySelectorAll('canvas')].map(canvas => canvas.toDataURL().split(',')[1])"
 
 

@@ -31,7 +31,7 @@ READABLE = """() => {
 UNSEEN = """places => places.filter(place => {
     const { top, bottom, left, right } = document.querySelector(place).getBoundingClientRect();
     return top < 40 || bottom > innerHeight || left < 0 || right > innerWidth; })"""
-# What a menu cuts of what is chosen, and of the views of slopes.
+# The choices that a menu cuts: the present ones, and the views of slopes.
 CUT = """() => [...document.querySelectorAll('.sim-menus select')].flatMap(menu => {
     const copy = menu.cloneNode(true);
     copy.style.cssText = 'position: absolute; width: auto';
@@ -71,7 +71,7 @@ def addressed(tab):
 
 
 def type_into(tab, name, text):
-    """Type into a box; return what is said of it."""
+    """Type into a box; return the page's remark on it."""
     box = tab.locator(f"[data-parameter={name}] input[type=text]")
     box.fill(text)
     box.press("Tab")

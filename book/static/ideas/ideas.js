@@ -1,5 +1,5 @@
 // What the small interactives share: a stage in the place of the still picture, panels to draw on, handles and sliders.
-// What they show is computed by the simulator's module (book/simulator_module.py); here things are only drawn.
+// What they show is computed by the simulator's module (book/programs/simulator_module.py); here things are only drawn.
 "use strict";
 
 /** @type {Record<string, Idea>} */

@@ -1,5 +1,5 @@
 // The compiled shader and kernels: their memory, and calls of them. What they compute is written in renderer/shader/shader.py
-// and in proofs/; the numbers beside them, Simulator.data, in book/simulator_module.py.
+// and in proofs/; the numbers beside them, Simulator.data, in book/programs/simulator_module.py.
 "use strict";
 
 /**
