@@ -33,9 +33,10 @@ from renderer.machines import native, numpy_rows
 from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
 from renderer.scene.scene import BUMPS
-from renderer.shader.numbers import SCENE_FORM, numbers_of
+from renderer.shader.numbers import SCENE_FORM
 from tests.strategies import methods, rasters, scenes
 from verify.coq.recorded_pixel import ANY, WANTS, recorded
+from verify.coq.recorder import values_of
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -64,7 +65,7 @@ numpy_draws = partial(drawn_by, numpy_rows.drawer)
 
 
 def held(frame):
-    """Return {name: array} of what a frame holds, the counts among it."""
+    """Return {name: array} of a frame's colours, chambers, planes on A and counts."""
     planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
     return planes | {kind: np.array(count) for kind, count in frame._counts.items()}
 
@@ -148,27 +149,9 @@ def done(name, *numbers):
     return (getattr(operator, f"__{name}__", None) or getattr(kernels, name))(*numbers)
 
 
-@np.errstate(all="ignore")
-def run(inputs):
-    """Return the numbers of the recorded program's lines."""
-    inputs, numbers = iter(inputs), []
-
-    def holds(condition, compared):
-        kind, *parts = condition
-        return done(kind, *(holds(p, compared) if isinstance(p, tuple) else compared[p] for p in parts))
-
-    for kind, text, *places in RECORDING.lines:
-        given = [numbers[place] for place in places]
-        if kind == "where":
-            given = [holds(text, given[2:]), *given[:2]]
-        number = done(kind, *given) if given else next(inputs) if kind == "input" else float.fromhex(text)
-        numbers.append(np.asarray(number, np.float64))
-    return numbers
-
-
 def of_any(shot, known_powers):
     """Return a scene's numbers, as the recorded program of any scene takes them, and the lights'."""
-    numbers, lights = numbers_of(shot)
+    numbers, lights = shot.numbers
     chosen = of_form(SCENE_FORM, map(np.asarray, numbers))
     chosen.way = ANY.ways.index((shot.scene.field, "general" if known_powers else shot.way))
     chosen.bump, chosen.model = BUMPS.index(shot.scene.bump), ANY.lights.index(shot.want.lights[0])
@@ -186,7 +169,9 @@ def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
     frame = render(scene, *size, method)
     chosen, lights = of_any(frame.shot, known)
     x, y = frame.raster.image_points(scene)
-    numbers = run(chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(0.0)))
+    inputs = chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(np.zeros(())))
+    with np.errstate(all="ignore"):
+        numbers = values_of(RECORDING.lines, inputs, done)
     drawing = len(WANTS) * len(lights) + (2 if known else scene.horizon)
     code, *colors = (numbers[RECORDING.outputs[name][drawing]] for name in ("code", *COLORS))
     assert (code == frame.chambers).all()

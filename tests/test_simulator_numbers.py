@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from book.simulator_module import BY
+from book.programs.simulator_module import BY
 from renderer import Scene, central, render
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a

@@ -22,7 +22,7 @@ PICTURES = [((37, 53), None), ((701, 5), None), ((1, 1), None), ((MAX_SIDE, MAX_
 
 @pytest.mark.parametrize("size, crop", PICTURES)
 def test_a_streamed_picture_is_that_of_render(size, crop, tmp_path, monkeypatch):
-    """And its progress sees every band."""
+    """The progress wrapper sees every band."""
     monkeypatch.setattr(stream, "BAND_PIXELS", 300)
     path, method, bands_drawn = tmp_path / "a.npy", central(1e-3), []
     shape = stream.stream(Scene(), *size, path, method, crop, progress=lambda bands: bands_drawn.extend(bands) or bands)
@@ -114,4 +114,4 @@ def test_memory_does_not_grow_with_the_picture(tmp_path):
     """The peak of a child's resident memory, mapped pages included: the picture's planes alone are 96 MiB."""
     streamed, in_memory = map(float, python("-c", MEMORY, tmp_path / "a.npy")[0].split())
     assert streamed < 32
-    assert in_memory > 64  # what it has given back may be used again
+    assert in_memory > 64  # memory that was given back may be used again

@@ -24,7 +24,7 @@ def test_srgb_is_the_formula_everywhere(monkeypatch):
 
 
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
-    """Of the channels the largest counts."""
+    """Of a pixel's channels the largest counts."""
     delta = np.array([[0.0, -0.0, np.nan, 5e-324, 1e-30, 1e-16, 1e-8, 1.0, 10.0]])
     low, middle, high = (matplotlib.colormaps["inferno"](n, bytes=True)[:3] for n in (0.0, 0.5, 1.0))
     expected = [[*[(0, 0, 0)] * 3, *[low] * 3, middle, high, high]]

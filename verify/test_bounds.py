@@ -36,7 +36,7 @@ def by_rows(monkeypatch):
 
 @pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
 def test_no_error_is_above_its_bound(drawn, by_rows):
-    """Nor bounds that say nothing, of any kind of picture."""
+    """Of any kind of picture; and the median bound is not above 1,000 errors."""
     numbers = measure(*drawn)["numbers"]
     assert (numbers["above_bound"], numbers["chambers_missed"]) == (0, 0)
     assert numbers["decided"] >= 0.95 * numbers["pixels"]
@@ -50,7 +50,7 @@ def test_no_error_is_above_its_bound(drawn, by_rows):
     Scene(bump="surface", field="sine", model="blinn_gated", shininess=1.0, horizon=True),
 ])  # fmt: skip
 def test_the_default_scene(scene):
-    """Nothing is open, at 256²; bounds are tight. The same of another bump, and of light from in front alone."""
+    """At 256² nothing is open, and bounds are tight; so too with the surface's bump, and with the horizon."""
     frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
@@ -147,12 +147,12 @@ def test_a_half_that_is_rounded_up_to_a_normal_number_is_not_exact():
 
 
 def one_sided(mask, value, otherwise):
-    """Return a selection that covers the side alone that was computed."""
+    """Return a selection whose bound covers only the side that was selected."""
     return where(Mask(mask.holds), value, otherwise)
 
 
 def product(first_order=1.0, second_order=1.0):
-    """Return a product whose own rounding, or the product of the bounds, counts for so much."""
+    """Return a product in which its own rounding, or the product of the bounds, is multiplied by a factor."""
 
     def of(a, b):
         bound = abs(a.value) * b.bound + abs(b.value) * a.bound + second_order * a.bound * b.bound
@@ -176,13 +176,13 @@ def uncounted(kind, value, roundings, keeps_zero=False):
     (Enclosed, "is_zero", property(lambda number: abs(number.value) < 1.0), "atan2pi"),
 ])  # fmt: skip
 def test_a_false_bound_is_noticed(broken, name, value, operation, monkeypatch):
-    """A rounding left out, a selection of one side, a mask taken for decided, constants quartered, no second order."""
+    """No rounding, one side of a selection, an open mask taken for decided, constants quartered, no second order."""
     monkeypatch.setattr(broken, name, value)
     assert escapes(operation) > 0
 
 
 def test_b_is_as_accurate_as_its_condition():
-    """It is as small and as far away as it may be: shaking all inputs by 1e-16 moves its colour by 1.2e-8."""
+    """B as small and as far away as allowed: changing all inputs by 1e-16 of themselves moves its colour by 1.2e-8."""
     crop = 30, 20, 1, 1
     (left,), (top,) = Raster(64, 64, crop).image_points(Scene(eye=1e6, ball=False))
     center = left * (1 - 1.3e-6) + 4e-9, top * (1 - 1.3e-6) + 3e-9, 1.3

@@ -73,7 +73,7 @@ def proof_address(name: str) -> str:
 
 
 def beside(formally: dict) -> tuple[dict[str, str], int, int]:
-    """Of what Coq says beside a theorem's claims: the additions, how many points, and how many false variants."""
+    """Return (Coq's additions to a theorem's claims, how many points, how many false variants)."""
     statements = formally["statements"]
     points, false = (sum(name.endswith(end) for name in statements) for end in ("__point", "__false"))
     return {n: text for n, text in statements.items() if not n.endswith(BESIDE)}, points, false

@@ -46,7 +46,7 @@ WEAKENED = [
 
 
 def test_a_run_tells_a_weakened_kernel():
-    """The kernel as it stands gives no wrong verdict: each run of the theorems begins with that."""
+    """The present kernel gives no wrong verdict on known-bad certificates, with which each run begins."""
     text = Path(kernel.__file__).read_text("utf-8")
     for strong, weaker in WEAKENED:
         assert text.count(strong) == 1
@@ -75,7 +75,7 @@ REFUSED_FILES = [
 
 
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
-    """For the grade as for `proofs.check`: a file is its own canonical form."""
+    """The grade and `proofs.check` accept a file in its canonical form alone."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
     monkeypatch.setattr(project, "PROJECT", project.PROJECT._replace(certificates=tmp_path))
     monkeypatch.setattr(stored, "FOLDER", tmp_path)

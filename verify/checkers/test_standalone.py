@@ -17,7 +17,7 @@ def bare(*command):
     return done.returncode, done.stdout, done.stderr
 
 
-SCRIPTS = [  # what is changed behind the first certificate's beginning
+SCRIPTS = [  # changes behind the first certificate's beginning
     ("unit_length", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
     ("tangent_frame", '"is": "="', '"is": ">="', "tangent_frame: REJECTED."),
 ]
@@ -25,7 +25,7 @@ SCRIPTS = [  # what is changed behind the first certificate's beginning
 
 @pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
 def test_a_changed_script_is_rejected(id, was, changed, says, tmp_path):
-    """By the checker as it stands. The scripts that the book offers are run by `tests/test_book_theorems.py`."""
+    """The script's own kernel rejects it. `tests/test_book_theorems.py` runs the scripts that the book offers."""
     head, certificate, tail = standalone_script(id).partition('"certificate"')
     assert all(inspect.getsource(part).strip() in head + certificate + tail for part in (kernel, check, standalone.run))
     path = tmp_path / "theorem.py"
