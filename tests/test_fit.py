@@ -20,6 +20,6 @@ def test_a_fit_says_what_it_cannot_tell_and_what_it_is_not_given():
         (SINE, ["ka", *(f"ambient[{n}]" for n in range(3))]),
     ):
         assert set(fit(scene, render(scene, 16, 16), names).errors.values()) == {np.inf}
-    for picture, names in ((None, ["beta"]), (frame.rgb[..., 0], ["beta"]), (frame.rgb * np.nan, ["beta"])):
-        assert rejection(fit, SINE, picture, names).startswith("picture = ")
+    for picture in (None, "sky", frame.srgb, frame.rgb[..., 0], frame.rgb * np.nan, frame.rgb * 1e5, frame.rgb + 0j):
+        assert rejection(fit, SINE, picture, ["beta"]).startswith("picture = ")
     assert [rejection(fit, SINE, frame, names)[:5] for names in ((), "beta")] == ["names", "names"]

@@ -23,7 +23,7 @@ CACHES = stamps.ROOT / ".jupyter_cache"
 MARKS = re.compile(r"^ *(?:#|:{2,}|`{3}|:\w|\(\S+\)=).*|\{[\w-]+\}`[^`]*`|\]\([^)]*\)", re.MULTILINE)
 """Headings, directives and their options, labels, roles, links: by these alone one page speaks of another."""
 READ = re.compile(r"/(\.doctrees|jupyter_execute|_images|source|_downloads/theorems)/|/_static/\w+/compiled\w*\.js$")
-"""What comes of reading pages, and what no word of theirs is in. All else, the search index too, is written anew."""
+"""Files that come of reading pages, and those without a word of theirs; others, and the search index, are made anew."""
 EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two builds give the same bytes
 
 
