@@ -11,6 +11,7 @@ from proofs.engine.claim import AnyClaim, Claim, Encloses, Induction, Rounded, S
 
 MOST = Mul(Symbol("n"), Pow(2, -53, evaluate=False), evaluate=False)
 DIGIT = re.compile(r"(?<!cases)([)}]|\\pi) (?=\d)")  # a factor that begins with one, but the first of a list of cases
+WORDS = re.compile(r"(?<=[})\d]) (?=\\mathrm)|(\\mathrm\{[^{}]*\}) (?=[a-zA-Z(])")  # two factors, one of them a word
 
 
 class Row(NamedTuple):
@@ -51,8 +52,8 @@ class ClaimPrinter(LatexPrinter):
         return f"2^{{{power}}}" if power > 16 and number == 2**power else str(number)
 
     def tex(self, term: Basic | int) -> str:
-        """Return a term in TeX; a dot stands before a number in a product."""
-        return DIGIT.sub(r"\1 \\cdot ", self.doprint(term))
+        """Return a term in TeX; in a product a dot stands before a number, and a thin space beside a word."""
+        return WORDS.sub(r"\1 \\, ", DIGIT.sub(r"\1 \\cdot ", self.doprint(term)))
 
     def rows(self, claim: AnyClaim | Rounded | Encloses, refuted: bool = False) -> list[Row]:
         """Return a claim's rows: lines and states, hypotheses, cited lemmas, and conclusions.
