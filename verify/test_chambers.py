@@ -53,18 +53,6 @@ def test_bodies_that_touch_or_are_level(changes):
     np.testing.assert_array_equal(chambers(scene, 61, 64), everywhere_tested(scene, 61, 64))
 
 
-@pytest.mark.parametrize("name, value, light", [
-    ("_casts", lambda *where: False, (-3.0, -3.0, -1.0)),  # as if A cleared every cone of light: it shades B here
-    ("GUARD", -0.05, (5.0, 5.0, 10.0)),
-])  # fmt: skip
-def test_boxes_that_leave_pixels_out_are_noticed(name, value, light, monkeypatch):
-    monkeypatch.setattr(bounds, name, value)
-    scene = Scene(eye=4.02, lights=(Light(light),))
-    assert (chambers(scene, 64, 64) != everywhere_tested(scene, 64, 64)).any()
-    monkeypatch.undo()
-    chambers(scene, 64, 64)
-
-
 DISCRIMINANT = function_of(hit_of_a.keep(discriminant_a))
 RANDOM = np.random.default_rng(21)
 LENSES = list(zip(10 ** RANDOM.uniform(-60, 60, 400), 10 ** RANDOM.uniform(-6, -1e-9, 400), strict=True))
