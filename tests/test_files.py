@@ -13,7 +13,7 @@ import pytest
 import tifffile
 from PIL import Image
 
-from renderer import Scene, central, pixel, render, whole_files
+from renderer import Scene, central, render, whole_files
 from renderer.command_line.verbs import main
 from renderer.files import pictures as files
 from renderer.machines import numpy_rows
@@ -88,13 +88,6 @@ def test_a_tiff_of_linear_light_has_its_numbers(numbers, tmp_path):
     for name in ("a.tif", "b.tif"):
         read = tifffile.imread(tmp_path / name)
         assert read.dtype == numbers and (read == FRAME.rgb.astype(numbers)).all()
-
-
-def test_the_normal_of_a_pixel_is_that_of_its_record():
-    on_a, normal = FRAME.stage.on_a, FRAME.normal
-    assert np.isnan(normal[~on_a]).all() and abs(np.linalg.norm(normal[on_a], axis=-1) - 1).max() < 1e-15
-    row, column = np.argwhere(on_a)[20]
-    assert tuple(normal[row, column]) == pixel(Scene(), 24, 16, column, row, central(1e-3)).normal
 
 
 def test_saving_over_a_file_keeps_its_links_and_mode_and_asks_whether_it_may_be_written(tmp_path):

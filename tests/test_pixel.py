@@ -23,6 +23,8 @@ def test_a_record_has_the_bits_of_the_frame_and_what_adds_up_to_them(scene, size
     planes = frame.chambers, frame.kink, frame.straddling
     assert told == (tuple(frame.rgb[row, column]), *(plane[row, column] for plane in planes))
     assert record.surface == ("none", "A", "B", "floor")[record.chamber & 3]
+    normal = frame.normal[row, column]
+    assert tuple(normal) == record.normal if record.surface == "A" else np.isnan(normal).all()
     if record.surface == "none":
         assert (record.rgb, record.lights) == ((0.0, 0.0, 0.0), ())
         return

@@ -63,8 +63,3 @@ def test_the_surfaces_bump_is_refused_where_float64_ends_and_drawn_up_to_there()
     assert (
         told == "beta = 0.35 is not allowed: times the height of 'own' at most 1e+83, times its slopes at most 1e+123"
     )
-
-
-def test_a_record_from_before_there_were_bumps_is_read():
-    record = Scene().as_record()
-    assert Scene.from_record({name: record[name] for name in record.keys() - {"bump", "horizon"}}) == Scene()
