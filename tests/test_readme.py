@@ -5,6 +5,7 @@ import re
 import textwrap
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from book.figures.certified_bounds import BUMPS, scene_of
@@ -58,3 +59,22 @@ def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     exec(textwrap.dedent(lines), {})
     (written,) = tmp_path.iterdir()
     assert shows(written, render(Scene(), 256, 256))
+
+
+FOLDER = ROOT / "book" / "chapter" / "exercises"
+SECTIONS = sorted(path.stem for path in FOLDER.glob("*.md"))
+ANSWER = re.compile(r"^```python\n(?P<code>.*?)^```\n\n```text\n(?P<printed>.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+def answers(section):
+    """Return [(code, what the page says that it prints)] of a section's exercises."""
+    text = (FOLDER / f"{section}.md").read_text("utf-8")
+    return [(match["code"], match["printed"]) for match in ANSWER.finditer(text)]
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_answers_print_what_stands_below_them(section, capsys):
+    for code, expected in answers(section):
+        assert set(re.findall(r"^(?:from|import) (\w+)", code, re.MULTILINE)) <= {"math", "numpy", "sympy"}
+        exec(code, {})
+        assert capsys.readouterr().out == expected
