@@ -18,7 +18,7 @@ from book.drawing.style import plot
 from book.figures import work_precision  # noqa: F401, which registers its figures
 from renderer import Scene, central, exact, render
 from renderer.intervals import Interval
-from tests.folders import contents
+from tests.pictures import contents
 from tests.processes import python
 
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
