@@ -158,7 +158,8 @@ def test_evidence_in_words():
         "witness": [{"points": 1000, "digits": 50}],
         "mutants": [{"refused": True, "counterexample": exact} for exact in ({"exact": True}, None)],
         "shown": "formal",
-        "formal": {"claims": ["a"], "statements": {}, "when": "recorded on 2026-11-27"},
+        "formal": {"claims": ["a"], "statements": {}},
+        "when": "recorded on 2026-11-27",
         "side_conditions": [{"edges": ["x = 0"]}],
     }
     assert evidence_line(entry) == (

@@ -45,5 +45,5 @@ def evidence_line(entry: dict) -> str:
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":
         statements = sum(len(entry["formal"][of]) for of in ("claims", "statements"))
-        line = f"formal: {count(statements, 'statement')} in Coq, {entry['formal']['when']}; {line}"
+        line = f"formal: {count(statements, 'statement')} in Coq, {entry['when']}; {line}"
     return line[0].upper() + line[1:]

@@ -85,13 +85,8 @@ def write_texts(app: Sphinx, error: Exception | None) -> None:
         for script, name, known in ((SCRIPTS[0], "SearchText", pages), ("statements.js", "Statements", first)):
             text = f"var {name} = {json.dumps(known, **COMPACT)};\n"
             (Path(app.outdir) / "_static" / script).write_text(text, encoding="utf-8")
-
-
-@on("build-finished")
-def keep_index(app: Sphinx, error: Exception | None) -> None:
-    """Keep what pages gave the search's index, for a build of some: Sphinx keeps its environment before that."""
-    with Path(app.doctreedir, ENV_PICKLE_FILENAME).open("wb") as file:
-        pickle.dump(app.env, file)
+        # With what pages gave the search's index, for a build of some of them: Sphinx keeps it before that.
+        Path(app.doctreedir, ENV_PICKLE_FILENAME).write_bytes(pickle.dumps(app.env))
 
 
 @on_page

@@ -83,12 +83,11 @@ class Proofs:
 
 def load(book: Path) -> Proofs:
     """Return everything about the theorems; raises NoReport or ValueError."""
-    theorems, entries, accepted, when = all_theorems(), report.load(), formal.record(), formal.when()
+    theorems, entries, accepted = all_theorems(), report.load(), formal.record()
+    when = accepted and formal.when()
     for id, entry in entries.items():
-        entry["formal"] = in_coq = accepted.get(id)
-        if in_coq:
-            in_coq["when"] = when
-        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] == "proved"
+        entry |= {"formal": accepted.get(id), "when": when}
+        formally = formal.is_formal(theorems[id], entry["formal"]) and entry["grade"] == "proved"
         entry["shown"] = "formal" if formally else entry["grade"]
         entry["word"] = f"Coq, {when}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))
