@@ -3,7 +3,6 @@
 import os
 import re
 import subprocess
-from unittest.mock import patch
 
 import pytest
 from playwright.sync_api import expect
@@ -12,17 +11,8 @@ from book.assembly import stamps, website
 from book.editions import files
 from book.editions.chromium import NoBrowser
 from book.editions.pages import parsed
-from renderer.machines import numpy_rows
-from renderer.picture import stage
 from tests.processes import python, started
 from tests.tabs import chromium, visits
-
-
-@pytest.fixture(scope="module")
-def by_numpy():
-    """Let NumPy draw, so that nothing is compiled: LLVM's bits are the same (`test_machines.py`)."""
-    with patch.object(stage, "machine", lambda: numpy_rows):
-        yield
 
 
 @pytest.fixture(scope="session")

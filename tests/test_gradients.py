@@ -16,6 +16,7 @@ from renderer.scene.methods import GradientMethod, difference
 from renderer.scene.scene import BUMPS
 from tests.refusals import rejection
 from tests.strategies import steps, wave_numbers
+from tests.test_machines import numpy_draws
 from verify.accuracy.binades import dies
 
 SINE, RIDGES, RINGS = (Scene(field=field) for field in ("sine", "ridges", "rings"))
@@ -45,6 +46,7 @@ def test_the_kink_band_is_where_a_factor_is_below_three_hundredths():
 
 
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
+@numpy_draws()
 def test_the_pole(method):
     for scene, beta, bump in product((SINE, RIDGES, RINGS), (0.0, 0.35, 1e80), BUMPS):
         record = pixel(replace(scene, beta=beta, bump=bump), *POLE, method)

@@ -17,6 +17,7 @@ from renderer.picture.stage import Stage
 from renderer.picture.sweep import HEADINGS, Task, compared, sweep, table, write_csv
 from renderer.scene.methods import GradientMethod, central
 from tests.refusals import rejection
+from tests.test_machines import numpy_draws
 
 SIZE = (24, 16)
 TASK = Task(Scene(), central(1e-3), *SIZE)
@@ -146,6 +147,7 @@ def test_a_chamber_that_differs_is_counted_as_a_flip(monkeypatch):
     assert row.flips == (render(Scene(floor=False), 16, 16).chambers > 0).sum() > 0
 
 
+@numpy_draws()
 def test_a_further_step_draws_one_picture(monkeypatch):
     """And its straddling pixels are those of the frame itself."""
     drawn, draw = [], Stage.draw

@@ -19,7 +19,7 @@ from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
 from tests.refusals import rejection
 from tests.strategies import looks, methods, rasters
-from tests.test_machines import drawn_by
+from tests.test_machines import drawn_by, numpy_draws
 
 DEFAULT, SINE = Scene(), Scene(field="sine")
 PLANES = ("rgb", "chambers", "kink", "slope", "straddling")
@@ -193,6 +193,7 @@ def test_a_frame_is_of_the_scene_that_was_given():
         assert render(scene, 8, 8).scene is scene
 
 
+@numpy_draws()
 def test_a_fit_says_what_it_cannot_tell_and_what_it_is_not_given():
     frame = render(SINE, 16, 16)
     once, twice = (fit(replace(SINE, beta=0.3), frame, names) for names in (["beta"], ["beta", "beta"]))

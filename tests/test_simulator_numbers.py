@@ -29,6 +29,7 @@ from renderer.scene.methods import DIFFERENCES
 from renderer.scene.scene import DEFAULT_LIGHTS
 from tests.pictures import pixels
 from tests.tabs import go, number, readout, says
+from tests.test_machines import numpy_draws
 
 OFTEN = {
     "field": [*FIELDS],
@@ -126,6 +127,7 @@ SLOPES = """given => {
     {"field": "sine", "ku": 7.3, "kv": -3.1, "model": "phong"},
     {"field": "ridges", "beta": 1.2, "ku": -4, "ball": False},
 ])  # fmt: skip
+@numpy_draws()
 def test_a_slope_of_the_picture_is_the_renderers(tab, view, changes):
     """Exactly, to the last bit; by a difference, that of whole pictures, whose shadows move with the lamp."""
     name, step, scene = BY[view], 1 / 8, Scene(**changes)

@@ -14,9 +14,8 @@ from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.shading import LIGHT_MODELS
 from proofs.formulas.symbols import x, y
 from renderer import Light, Scene, central, exact, kernels, operations, render
-from renderer.machines import enclosing, numpy_rows
+from renderer.machines import enclosing
 from renderer.machines.enclosing import Enclosed
-from renderer.picture import stage
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import Shot
@@ -25,15 +24,11 @@ from verify.enclosed_pixels import BITS, KINDS, errors, measure, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
-
-@pytest.fixture
-def by_rows(monkeypatch):
-    """Let NumPy draw, so that nothing is compiled: its bounds are LLVM's to the last bit (tests/test_machines.py)."""
-    monkeypatch.setattr(stage, "machine", lambda: numpy_rows)
+pytestmark = pytest.mark.usefixtures("by_numpy")
 
 
 @pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
-def test_no_error_is_above_its_bound(drawn, by_rows):
+def test_no_error_is_above_its_bound(drawn):
     """Nor bounds that say nothing, of any kind of picture."""
     numbers = measure(*drawn)["numbers"]
     assert (numbers["above_bound"], numbers["chambers_missed"]) == (0, 0)
@@ -78,7 +73,7 @@ def test_the_side_of_a_crease_is_open():
 
 
 @pytest.mark.parametrize("radius", [1.0, 2.0**53, 1e40])
-def test_a_floor_without_squares_is_open(radius, by_rows):
+def test_a_floor_without_squares_is_open(radius):
     light = Light((3 * radius, -4 * radius, 6 * radius))
     frame = render(Scene(eye=4 * radius, radius=radius, ball=False, lights=(light,)), 16, 16, bounds=True)
     lit = frame.chambers & 7 == 3

@@ -12,6 +12,7 @@ from renderer import HeightField, Light, Scene, central, central4, exact, fit, f
 from verify.enclosed_pixels import truth_of
 from verify.reference import COLORS, chamber_code, scene_values
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
 BITS, STEP = 600, arb(2) ** -170
 SINE, NAMES = Scene(field="sine"), ("beta", "ku")
 CALLS = "log(3 + cospi(k_u*u))**2.5*sqrt(2 + sinpi(2*k_u*u)) + 2**sinpi(k_u*u) - exp(sinpi(k_v*v))/(2 + v)"

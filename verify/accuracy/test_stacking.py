@@ -3,11 +3,8 @@
 from renderer import Scene
 from verify.accuracy.stacking import stacked
 
-SIDE = 64
-SINE = Scene(field="sine")
-
 
 def test_a_mean_does_not_heal_a_difference():
     """The error of a difference has one sign over a lamp: were it noise, 16 points would leave a quarter."""
-    one, many = (stacked(SINE, lamp=lamp, side=SIDE).rms.value for lamp in (1, 4))
+    one, many = (stacked(Scene(field="sine"), lamp=lamp, side=64).rms.value for lamp in (1, 4))
     assert 0.9 < many / one < 1
