@@ -5,6 +5,7 @@ import re
 import subprocess
 
 import pytest
+from filelock import FileLock
 from playwright.sync_api import expect
 
 from book.assembly import stamps, website
@@ -44,8 +45,9 @@ def stamped(monkeypatch, tmp_path):
 
 @pytest.fixture(scope="session")
 def single(site):
-    """The one file."""
-    files.make("single", files.SINGLE, files.single_file)
+    """The one file, which one worker makes."""
+    with FileLock(stamps.STAMPS / "single.lock"):
+        files.make("single", files.SINGLE, files.single_file)
     return files.SINGLE
 
 

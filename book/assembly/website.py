@@ -96,6 +96,7 @@ def build() -> None:
     stamps.remove("work")
     if pages is None:
         shutil.rmtree(WORK, ignore_errors=True)
+    (WORK / "_build" / "html" / "_static" / "search-text.js").unlink(missing_ok=True)  # no page has a hash of it
     build_into(WORK, cache, pages)
     shutil.rmtree(SITE, ignore_errors=True)
     shutil.copytree(WORK / "_build" / "html", SITE, ignore=shutil.ignore_patterns(".buildinfo"))  # of the place, too
