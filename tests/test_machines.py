@@ -161,6 +161,7 @@ def of_any(shot, known_powers):
     return chosen, lights
 
 
+@numpy_draws()
 @given(scenes(), rasters(), methods)
 @example(Scene(), SIZE, exact())
 def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
