@@ -114,7 +114,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Return the exit status: 0 when all went well, 1 when a stage or a comparison failed, 2 for a bad command line,
     130 after Ctrl-C, 143 after SIGTERM.
 
-    What a figure raises is not caught: its author needs the whole traceback.
+    An error of a figure is not caught: its author needs the whole traceback.
     """
     options = parser().parse_args(arguments)
     try:

@@ -8,8 +8,9 @@ The caption. Everything is as for {chapter-figure}: the still picture is the fig
 script runs and on paper. `static/ideas/slope_is_texture.js` draws in its place where one does.
 :::
 
-`{worked-pixel}` is an {idea} with the lines of a pixel. Their formulas are the program's own (`book.idea_kernels`), the
-values those of one pixel; the page's script puts in their place those of the pixel that the reader picks.
+`{worked-pixel}` is an {idea} with the lines of a pixel. Their formulas are the program's own
+(`book.programs.idea_kernels`), the values those of one pixel; the page's script puts in their place those of the pixel
+that the reader picks.
 """
 
 import math
@@ -21,7 +22,7 @@ from sympy import Piecewise, Symbol, latex
 from book.extension import printed_claims
 from book.extension.elements import Nodes, Page, directive, filled, on_page
 from book.extension.figures import OPTIONS, chapter_figure
-from book.idea_kernels import PIXEL, lines_at
+from book.programs.idea_kernels import PIXEL, lines_at
 from proofs.engine.half_turns import ordinary
 from renderer import Scene, kernels
 

@@ -2,8 +2,8 @@
 
 Imports the standard library alone: no SymPy, so it takes seconds. It decides whether each certificate proves the
 statement stored with it, and that hypotheses can hold: "they contradict each other" is a statement, too, which an exact
-point refutes. Of a case of a claim that cannot occur, the statement that it cannot is proved instead. That the
-statements are those of today's formulas is for `pytest verify` to say.
+point refutes. Of a case of a claim that cannot occur, the statement that it cannot is proved instead. `pytest verify`
+compares the statements with today's formulas.
 """
 
 import argparse
@@ -18,7 +18,7 @@ from proofs.engine import kernel
 
 
 def text_of(path: Path) -> str:
-    """Return a file's text as its bytes say it; a byte that is no UTF-8 as what `parsed` refuses."""
+    """Return a file's text; a byte that is no UTF-8 becomes a character that `parsed` refuses."""
     return path.read_bytes().decode("utf-8", "surrogateescape")
 
 
@@ -29,7 +29,7 @@ CLAIM = {"claim": lambda name: isinstance(name, str), "statements": [PAIR]}
 
 
 def contradiction(statement: dict) -> dict:
-    """Return the derivation of 1 = 0 from what a derivation or an induction assumes, and what that is made of."""
+    """Return the derivation of 1 = 0 from a statement's assumptions and the definitions that these use."""
     steps = statement["steps"] if "steps" in statement else [{"step": "assume"} | s for s in statement["assume"]]
     needed, used = [ABSURD], set()
     for step in reversed(steps):
@@ -55,9 +55,9 @@ def is_empty(statement: dict) -> bool:
 
 
 def why_void(statement: dict, point: dict | None, check: Callable) -> Exception | str | None:
-    """Return None if the point shows that the hypotheses can hold, or where none is needed; else why it does not.
+    """Return None if the point shows that the hypotheses can hold, or no point is needed; else the reason.
 
-    None is needed by a separation and a refutation; nor by a derivation of 1 = 0, which says that there is none.
+    A separation and a refutation need no point; nor does a derivation of 1 = 0, which proves that there is none.
     """
     if statement["kind"] in ("derivation", "induction") and not is_empty(statement):
         return check(consistency(statement), {"point": point})

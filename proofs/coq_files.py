@@ -79,7 +79,7 @@ LOGARITHM_POLYNOMIAL = Program(
 
 
 def programs() -> dict[str, Program]:
-    """Return {name: program} of all that is printed, in the order of the modules of proofs/formulas."""
+    """Return {name: program} of all programs that are printed, in the order of the modules of proofs/formulas."""
     printed = [p for module in MODULES for p in vars(module).values() if isinstance(p, Program)]
     printed += [*image_derivative.base_derivatives.values()]
     printed += [HALF_TURN_POLYNOMIALS, ARCTANGENT_POLYNOMIAL, EXPONENTIAL_POLYNOMIAL, LOGARITHM_POLYNOMIAL]

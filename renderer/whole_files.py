@@ -90,7 +90,7 @@ def _unfinished(path, mode=0o666):
 def sole_writer(path: str | Path) -> BinaryIO:
     """Open a file that is added to, and that nobody else opens so until it is closed; it is made if there is none.
 
-    Raises BlockingIOError where somebody else has it open so. Where a file system has no locks, nobody is kept out.
+    Raises BlockingIOError where somebody else has it open so. A file system without locks keeps nobody out.
     """
     while True:
         file = open(path, "ab")  # noqa: SIM115

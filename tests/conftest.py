@@ -32,7 +32,7 @@ def html_of(site):
 
 @pytest.fixture(scope="session")
 def page_of(html_of):
-    """A function: a page's name → what the built page says, parsed anew."""
+    """A function: a page's name → the built page, parsed anew."""
     return lambda name: parsed(html_of(name))
 
 
@@ -45,7 +45,7 @@ def stamped(monkeypatch, tmp_path):
 
 @pytest.fixture(scope="session")
 def single(site):
-    """The one file, which one worker makes."""
+    """The path of the one-file edition, which one worker makes."""
     with FileLock(stamps.STAMPS / "single.lock"):
         files.make("single", files.SINGLE, files.single_file)
     return files.SINGLE

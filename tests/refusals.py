@@ -4,7 +4,7 @@ import pytest
 
 
 def rejection(make, *arguments, **fields):
-    """The one line of the exception; it has the shape NAME = VALUE is not allowed: WHAT IS."""
+    """Return the one line of the exception; it has the shape NAME = VALUE is not allowed: WHAT IS."""
     with pytest.raises(ValueError) as error:
         make(*arguments, **fields)
     text = str(error.value)

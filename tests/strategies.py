@@ -33,12 +33,12 @@ settings.load_profile("same")
 
 
 def rounded(low, high):
-    """Numbers in [low, high] with six decimals, edges included: no denormals, which do not scale."""
+    """Draw numbers in [low, high] with six decimals, edges included: no denormals, which do not scale."""
     return floats(low, high).map(lambda x: round(x, 6))
 
 
 def triples(numbers):
-    """Three numbers."""
+    """Draw three numbers."""
     return tuples(numbers, numbers, numbers)
 
 
@@ -66,13 +66,13 @@ methods = one_of(sampled_from([exact(), exact("general")]), differences)
 
 
 def rasters(largest=24):
-    """(width, height): odd and even, wide and tall, one pixel across, and one that puts a pixel on the pole."""
+    """Draw (width, height): odd and even, wide and tall, one pixel across, and one that puts a pixel on the pole."""
     sizes, one = integers(1, largest), just(1)
     return one_of(tuples(sizes, sizes), tuples(sizes, one), tuples(one, sizes), just((21, 20)))
 
 
 def scaled_triple(triple, factor):
-    """A triple of lengths in another unit."""
+    """Return a triple of lengths in another unit."""
     return tuple(factor * c for c in triple)
 
 
@@ -113,7 +113,7 @@ def _accepts(**fields):
 
 @composite
 def scenes(draw, **fixed):
-    """Accepted scenes; `fixed` gives a field as a value or as a strategy, `radius` and `ratio` as strategies."""
+    """Draw accepted scenes; `fixed` gives a field as a value or as a strategy, `radius` and `ratio` as strategies."""
     radius = draw(fixed.pop("radius", radii))
     eye = radius / draw(fixed.pop("ratio", ratios))
     while not 1e-6 <= radius / eye <= 1 - 1e-9:  # the rounding of the quotient at the domain's edges

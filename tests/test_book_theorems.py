@@ -102,7 +102,7 @@ def test_certificates_are_downloads_and_scripts_run_with_nothing_but_python(site
         python("-I", "-S", folder / f"{id}.py", cwd=tmp_path, timeout=60)
 
 
-# What does not build
+# Builds that fail
 
 
 def test_what_is_unknown_or_did_not_reach_its_grade_fails_the_build(site, tmp_path, monkeypatch):

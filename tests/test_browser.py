@@ -16,7 +16,7 @@ PAGES = list(page_files(ROOT / "book"))
 OTHERS = ["genindex", "search", "source/proofs/formulas/bump.py"]
 every_page = pytest.mark.parametrize("page", [*PAGES, *OTHERS])
 COLOUR = ["color-contrast", "link-in-text-block"]
-# What axe-core looks for: dark is the same document in other colours, a phone has the light ones in another shape.
+# Rules of axe-core: dark is the same document in other colours, a phone has the light ones in another shape.
 LOOKS_FOR = {
     "light": {},
     "dark": {"runOnly": COLOUR},
@@ -26,8 +26,8 @@ MODES = {"light": {}, "dark": {"color_scheme": "dark"}, "phone": PHONE | {"devic
 RUN = """async ([place, options]) => (await axe.run(place, options)).violations
     .filter(v => ['serious', 'critical'].includes(v.impact))
     .map(v => `${v.id}: ${v.nodes.map(n => n.html).slice(0, 5).join(', ')}`)"""
-# Of the formulas that stand in one kind of place, and of a listing's words of one kind, the first stays, and the first
-# that has more than letters, of which axe-core decides nothing: the others are made alike, and take longest.
+# Of formulas in one kind of place, and of a listing's words of one kind, two stay: the first, and the first with more
+# than single letters, of which axe-core decides nothing. The others are made alike, and would take longest.
 ALIKE = """() => {
     const seen = new Set();
     for (const part of document.querySelectorAll('math, .highlight span:not(:has(*))')) {
@@ -38,14 +38,14 @@ ALIKE = """() => {
         seen.add(kind);
     } }"""
 WIDTHS = [320, 360, 400, 600, 768, 1000, 1100, 1210, 1440, 2560, 1280]  # the last is DESKTOP's
-# Whether the page stays wider than its window: the simulator may be drawn anew, and the sidebar slides.
+# True if the page stays wider than its window: the simulator may be drawn anew, and the sidebar slides.
 OVERFLOWS = """async () => {
     for (const end = performance.now() + 15000; document.documentElement.scrollWidth > innerWidth; ) {
         if (performance.now() > end) return true;
         await new Promise(requestAnimationFrame);
     }
     return false; }"""
-# What the keyboard reaches and shows no focus. Once a key was pressed, the browser takes any focus for the keyboard's.
+# Elements that the keyboard reaches without visible focus. After a key, the browser takes any focus for the keyboard's.
 UNSEEN = """() => [...document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"]')].filter(e =>
 {
     e.focus({ preventScroll: true });
@@ -98,7 +98,7 @@ def look(tab, page, mode):
     state = tab.evaluate(SEEN)
     assert state["unloaded"] == state["blurred"] == [] and state["unset"] == 0 and state["fonts"]
     assert all(source.endswith(".dark.svg") == (mode == "dark") for source in state["plots"])
-    if mode == "phone":  # what is too wide stands in something that scrolls
+    if mode == "phone":  # wide parts stand in boxes that scroll
         assert state["wide"] <= PHONE["viewport"]["width"] and (page in OTHERS or state["cut"] == [])
         assert state["stretched"] == 0
     else:  # a pixel is so many of the screen's

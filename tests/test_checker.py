@@ -1,6 +1,6 @@
 """The reader's own browser checks the certificates: the cards, the page of all claims.
 
-That its kernel accepts and rejects what Python's does, `verify/test_theorems.py` asks.
+`verify/test_theorems.py` compares its kernel with Python's.
 """
 
 import re

@@ -176,7 +176,7 @@ PICTURES = [((37, 53), None), ((701, 5), None), ((1, 1), None), ((MAX_SIDE, MAX_
 
 @pytest.mark.parametrize("size, crop", PICTURES)
 def test_a_streamed_picture_is_that_of_render(size, crop, tmp_path, monkeypatch):
-    """And its progress sees every band."""
+    """The progress wrapper sees every band."""
     monkeypatch.setattr(stream, "BAND_PIXELS", 300)
     path, method, bands_drawn = tmp_path / "a.npy", central(1e-3), []
     shape = stream.stream(Scene(), *size, path, method, crop, progress=lambda bands: bands_drawn.extend(bands) or bands)
@@ -268,7 +268,7 @@ def test_memory_does_not_grow_with_the_picture(tmp_path):
     """The peak of a child's resident memory, mapped pages included: the picture's planes alone are 96 MiB."""
     streamed, in_memory = map(float, python("-c", MEMORY, tmp_path / "a.npy")[0].split())
     assert streamed < 32
-    assert in_memory > 64  # what it has given back may be used again
+    assert in_memory > 64  # memory that was given back may be used again
 
 
 # What the eye sees: sRGB is its formula; views that `tests/test_simulator_numbers.py` does not compare
@@ -290,7 +290,7 @@ def test_srgb_is_the_formula_everywhere(monkeypatch):
 
 
 def test_the_logarithmic_difference_is_black_at_zero_and_nowhere_else():
-    """Of the channels the largest counts."""
+    """Of a pixel's channels the largest counts."""
     delta = np.array([[0.0, -0.0, np.nan, 5e-324, 1e-30, 1e-16, 1e-8, 1.0, 10.0]])
     low, middle, high = (matplotlib.colormaps["inferno"](n, bytes=True)[:3] for n in (0.0, 0.5, 1.0))
     expected = [[*[(0, 0, 0)] * 3, *[low] * 3, middle, high, high]]

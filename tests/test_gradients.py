@@ -25,14 +25,14 @@ chart_points = st.tuples(st.floats(0, 1, exclude_max=True), st.floats(0, 1))
 
 
 def test_the_gradient_on_a_crease_in_u_is_exactly_zero():
-    """And in v."""
+    """In v it is zero too."""
     others, wheres = np.array([0.1, 0.25, 0.47, 0.9]), np.arange(8)[:, None] / 8
     for point in ((wheres, others), (others, wheres[::2])):
         assert not np.any(gradient_at(RIDGES, *point, exact()))
 
 
 def test_every_float_beside_every_crease_is_off_it():
-    """The product k u rounds to m at many of them."""
+    """Though the product k u rounds to m at many floats, the kernel finds no crease there."""
     for wave_number in np.arange(1, 65.0):
         creases = np.arange(1, wave_number) / wave_number
         for towards in (0.0, 1.0):

@@ -149,7 +149,7 @@ def test_a_chamber_that_differs_is_counted_as_a_flip(monkeypatch):
 
 @numpy_draws()
 def test_a_further_step_draws_one_picture(monkeypatch):
-    """And its straddling pixels are those of the frame itself."""
+    """Its straddling pixels are those of the frame itself."""
     drawn, draw = [], Stage.draw
     monkeypatch.setattr(Stage, "draw", lambda *given, **want: drawn.append(want) or draw(*given, **want))
     scene = Scene(ku=7.0)

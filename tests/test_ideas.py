@@ -12,7 +12,8 @@ import pytest
 from PIL import Image
 from playwright.sync_api import expect
 
-from book import idea_kernels, worked
+from book import worked
+from book.programs import idea_kernels
 from renderer import Light, Scene, central, exact, gradient_at, pixel, render
 from renderer.files.srgb import to_bytes
 from renderer.picture.views import difference_logarithmic, image_view
@@ -28,6 +29,7 @@ PAGES = {
     "s2": ["scene_from_the_side", "pixel_worked"],
     "s3": ["two_slopes"],
     "s7": ["pitfall_seam"],
+    "derivative": ["derivative_fit"],
 }
 # Brings into sight one figure after another that is still.
 STARTED = """(() => {
@@ -35,7 +37,7 @@ STARTED = """(() => {
     still?.scrollIntoView({ behavior: 'instant' });
     return !still && document.querySelector('figure.idea') !== null;
 })()"""
-# Whether all that is drawn by a background alone differs from the page's own.
+# True if all parts that are drawn by a background alone differ from the page's.
 DIFFERS = """() => {
     const drawn = 'foreignObject div, .idea-swatch, [aria-pressed=true], .sim-dot, .sim-certified i, .fa-solid, .fas';
     const looks = [...document.querySelectorAll(drawn)].map(part => getComputedStyle(part));
@@ -206,7 +208,7 @@ def test_pixel_worked_shows_the_lines_of_the_renderers_pixel(idea):
             assert shown.inner_text() in (wanted, "—" if surface != "A" else wanted)
 
 
-# What a pitfall's three canvases show, each as a PNG.
+# A pitfall's three canvases, each as a PNG.
 CANVASES = "figure => [...figure.querySelectorAll('canvas')].map(canvas => canvas.toDataURL().split(',')[1])"
 
 
@@ -232,6 +234,23 @@ def test_a_pitfall_shows_the_renderers_pictures_and_says_its_numbers(idea, name,
     ends.append(f"{(0.3 + eps) - (0.3 - eps):.3e}")
     expected = words.format(*(end.replace("-", "−") for end in ends))
     assert re.search(expected, figure.locator(".idea-says").inner_text())
+
+
+def test_the_sphere_finds_a_target_and_says_so_when_it_does_not(idea):
+    """Of the first line, the RMS is the renderer's."""
+    _, figure, _ = idea("derivative_fit")
+    scenes = Scene(field="sine"), Scene(field="sine", beta=0.2, ku=8.2)
+    start, target = (render(scene, 128, 128).rgb for scene in scenes)
+    says, lines = figure.locator(".idea-says"), figure.locator("li")
+    figure.locator("button").first.click()
+    expect(says).to_have_text("Found.")
+    first, *_, last = map(numbers, lines.all_inner_texts())
+    assert first[2] == pytest.approx(100 * np.sqrt(np.mean((target - start) ** 2)), abs=0.05)
+    assert last[:2] == pytest.approx([0.2, 8.2], rel=1e-7)
+    figure.get_by_label("target k").fill("9.5")
+    while not says.inner_text():
+        figure.locator("button").last.click()
+    assert "did not converge" in says.inner_text()
 
 
 @pytest.mark.parametrize("page", [*PAGES, "s4"])

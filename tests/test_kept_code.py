@@ -63,7 +63,7 @@ def another_users(path):
 @pytest.mark.parametrize("name", ["", NAME])
 @pytest.mark.parametrize("become", [a_link, a_pipe, open_to_others, another_users])
 def test_what_is_not_the_users_own_is_not_loaded(become, name, place):
-    """Neither the folder nor the file."""
+    """Neither from another's folder, nor another's file."""
     become(place / name)
     assert load(KEY) is None
 

@@ -9,7 +9,7 @@ from urllib.parse import urlencode
 import numpy as np
 import pytest
 
-from book.loupe_module import pairs_of, samples_of
+from book.programs.loupe_module import pairs_of, samples_of
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from renderer import Scene, central, exact, pixel, render
 from renderer.intervals import certain_digits
@@ -27,7 +27,7 @@ READY = """async () => {
     const loupe = simulator_loupe(document.getElementById('simulator'), states, parts[0], module, act);
     window.closer = { parts, module, loupe };
 }"""
-# What the ruler shows for a state: of each row its name, exponent, runs of bits, and what is said of it.
+# The ruler's rows for a state: name, exponent, runs of bits, and remark.
 SHOWN = """state => {
     closer.loupe.show({ ...Simulator.running.states.start(), ...state });
     return [...document.querySelectorAll('.sim-bits tbody tr')].map(({ cells: [name, exponent, bits] }) => ({

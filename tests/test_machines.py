@@ -36,7 +36,7 @@ from renderer.machines.drawing_code import emit
 from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
 from renderer.scene.scene import BUMPS
-from renderer.shader.numbers import SCENE_FORM, numbers_of
+from renderer.shader.numbers import SCENE_FORM
 from tests.strategies import methods, rasters, scenes
 from verify.coq.recorded_pixel import ANY, WANTS, recorded
 from verify.coq.recorder import values_of
@@ -68,7 +68,7 @@ numpy_draws = partial(drawn_by, numpy_rows.drawer)
 
 
 def held(frame):
-    """Return {name: array} of what a frame holds, the counts among it."""
+    """Return {name: array} of a frame's colours, chambers, planes on A and counts."""
     planes = {"rgb": frame.rgb, "chambers": frame.chambers, "on_a": frame.planes_on_a}
     return planes | {kind: np.array(count) for kind, count in frame._counts.items()}
 
@@ -154,7 +154,7 @@ def done(name, *numbers):
 
 def of_any(shot, known_powers):
     """Return a scene's numbers, as the recorded program of any scene takes them, and the lights'."""
-    numbers, lights = numbers_of(shot)
+    numbers, lights = shot.numbers
     chosen = of_form(SCENE_FORM, map(np.asarray, numbers))
     chosen.way = ANY.ways.index((shot.scene.field, "general" if known_powers else shot.way))
     chosen.bump, chosen.model = BUMPS.index(shot.scene.bump), ANY.lights.index(shot.want.lights[0])

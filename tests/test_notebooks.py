@@ -56,7 +56,7 @@ def numbers(text, start):
     return [float(number) for number in digits]
 
 
-# What is printed from proofs/
+# Cells printed from proofs/
 
 
 def test_cells_have_what_proofs_print():
@@ -74,7 +74,7 @@ def test_edited_formula_or_scene_is_printed_anew():
         refreshed("# Printed from proofs/formulas/bump.py, nothing\ndef f():\n    pass\n")
 
 
-# What the cells find
+# Results of the cells
 
 WITHIN = [
     (2, "(e_θ × e_φ) · N =", 0, -1, -1),

@@ -99,7 +99,7 @@ def test_a_stage_serves_lights_of_other_colours_and_no_other_scene_raster_or_cro
     ],
 )
 def test_a_mean_of_samples_keeps_their_bounds(count, crop, method, by, drawer, monkeypatch):
-    """The mean that was rounded is off from the exact mean of the samples by what its bound has more than theirs."""
+    """The mean's bound exceeds the mean of the samples' bounds by at least the mean's own rounding."""
     monkeypatch.setattr(drawing, "BAND_SAMPLES", 1)
     with drawn_by(drawer, 1):
         drawn = partial(render, SINE, gradient=method, bounds=True, derivatives=by)

@@ -31,7 +31,7 @@ READABLE = """() => {
 UNSEEN = """places => places.filter(place => {
     const { top, bottom, left, right } = document.querySelector(place).getBoundingClientRect();
     return top < 40 || bottom > innerHeight || left < 0 || right > innerWidth; })"""
-# What a menu cuts of what is chosen, and of the views of slopes.
+# The choices that a menu cuts: the present ones, and the views of slopes.
 CUT = """() => [...document.querySelectorAll('.sim-menus select')].flatMap(menu => {
     const copy = menu.cloneNode(true);
     copy.style.cssText = 'position: absolute; width: auto';
@@ -71,7 +71,7 @@ def addressed(tab):
 
 
 def type_into(tab, name, text):
-    """Type into a box; return what is said of it."""
+    """Type into a box; return the page's remark on it."""
     box = tab.locator(f"[data-parameter={name}] input[type=text]")
     box.fill(text)
     box.press("Tab")
@@ -103,6 +103,13 @@ def test_controls_set_the_state_the_address_holds_it_and_a_step_is_undone(tab):
     tab.keyboard.press("Control+z")
     becomes(tab, **wanted)
     assert tab.evaluate("history.length") == pages  # so that the browser's Back leaves the page
+
+
+def test_the_cursor_leaves_the_address_of_a_part(visit):
+    tab = visit("s4", fragment="#four-experiments")
+    tab.press("[data-picture=symbolic]", "ArrowDown")
+    tab.wait_for_timeout(500)
+    assert tab.url.endswith("#four-experiments")
 
 
 def test_a_box_takes_what_the_page_prints_and_says_what_it_refuses(tab):

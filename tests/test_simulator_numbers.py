@@ -13,7 +13,7 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 from playwright.sync_api import expect
 
-from book.simulator_module import BY
+from book.programs.simulator_module import BY
 from renderer import Light, Scene, central, render
 from renderer.kernels import FIELDS, LIGHT_MODELS
 from renderer.picture.differences import distance_on_a

@@ -11,7 +11,7 @@ from proofs.engine.theorem import all_theorems
 
 READ = ("s1", "s2", "s3", "s4", "s6", "s7", "s8", "s9")  # the main path; §5 is a laboratory
 PICTURES = "figure, .simulator"
-UNREAD = "script, style, :not(details) > noscript, pre, math, .headerlink, .on-paper, [hidden]"  # what is no prose
+UNREAD = "script, style, :not(details) > noscript, pre, math, .headerlink, .on-paper, [hidden]"  # no prose
 RMS = r"\{number\}`(\w+)\.\w*rms"
 WORDS_AT_MOST, FOLDED_AT_MOST, FIGURES_AT_MOST = 7000, 18_000, 24
 CARDS_AT_MOST, CAPTION_AT_MOST, WAY_AT_MOST = 6, 30, 350  # cards in §3; 30 words are two lines

@@ -58,8 +58,8 @@ busy.join()""",
 from renderer.picture import drawing
 from renderer.shader import numbers
 drawing._same_shot.cache_clear()
-begun, style = threading.Event(), numbers.style_of
-numbers.style_of = lambda scene: begun.set() or time.sleep(0.2) or style(scene)
+begun, scene_numbers = threading.Event(), numbers.scene_numbers
+numbers.scene_numbers = lambda shot: begun.set() or time.sleep(0.2) or scene_numbers(shot)
 busy = threading.Thread(target=draw)
 busy.start()
 begun.wait()

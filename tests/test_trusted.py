@@ -35,7 +35,7 @@ def test_every_committed_record_is_known_and_reaches_what_it_measures():
         assert not any(path.startswith((RESULTS, BENCHMARKS)) or path.endswith(".md") for path in code)
         tests = {path for path in code if is_test(Path(path))}
         assert {"verify/test_theorems.py"} <= tests if name == "edited_formulas" else not tests
-    assert {"book/static/simulator/module.js", "book/simulator_module.py"} <= set(code_of("simulator"))
+    assert {"book/static/simulator/module.js", "book/programs/simulator_module.py"} <= set(code_of("simulator"))
     by_command_line = {name for name in RECORDS if "renderer/command_line/options.py" in code_of(name)}
     assert by_command_line == {"frames"}  # a help text makes no campaign stale
 

@@ -21,7 +21,7 @@ def work_of(method=None, options=None, **fields):
 
 @pytest.mark.parametrize("method, heights, of_rings", METHODS)
 def test_height_evaluations(method, heights, of_rings):
-    """None without a bump; rings have no difference in u."""
+    """There are none without a bump; rings have no difference in u."""
     work = work_of(method)
     assert work.pixels_a > 1000
     assert work.height_evaluations == heights * work.pixels_a
@@ -32,7 +32,7 @@ def test_height_evaluations(method, heights, of_rings):
 
 
 def test_what_is_counted_in_a_picture():
-    """Of an occluded light nothing is computed; shadows are tested where they can fall."""
+    """An occluded light costs no light term; shadows are tested where they can fall."""
     frame = render(DEFAULT, *SIZE)
     work, surface = SimpleNamespace(**frame.work), frame.chambers & 3
     codes, counts = np.unique(frame.chambers, return_counts=True)
@@ -44,7 +44,7 @@ def test_what_is_counted_in_a_picture():
 
 
 def test_what_is_not_there_is_not_computed():
-    """No ball, no floor, no highlight, no light; one that is off or black."""
+    """Without ball, floor, highlight or lights, or with a light that is off or black, their counts are 0."""
     (first, second), scene = DEFAULT.lights, work_of()
     one, black = work_of(lights=(first,)), work_of(lights=(first, replace(second, color=(0.0, 0.0, 0.0))))
     assert work_of(lights=(first, replace(second, color=None))) == one

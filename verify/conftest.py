@@ -31,13 +31,13 @@ def pytest_addoption(parser):
 
 
 def pytest_configure(config):
-    """Read the files of theorems before any of them is run: one that is a program could change what judges it."""
+    """Refuse files of theorems that are more than data, before any is imported: a program could change its judges."""
     if refused := theorem_files.refused():
         raise pytest.UsageError("a file of theorems is data: " + "; ".join(refused))
 
 
 def pytest_ignore_collect(collection_path, config):
-    """With --theorem, do not even import the other tests."""
+    """Ignore the other tests where --theorem is given: they are not even imported."""
     others = collection_path.name.startswith("test_") and collection_path.name != "test_theorems.py"
     return True if config.getoption("theorem") and others else None
 
@@ -80,7 +80,7 @@ def pytest_collection_modifyitems(config, items):
 
 @pytest.fixture
 def record_evidence(record_property):
-    """Return a function that hands a theorem's evidence to the controlling process, workers or none.
+    """Return a function that hands a theorem's evidence to the process that writes the report.
 
     took: how the time is told; by default that since the test began.
     """
@@ -108,7 +108,7 @@ def _results():
 
 
 def _told(entry):
-    """Return how a run tells a grade: formal where Coq agreed in it, else on which day it is recorded that Coq did."""
+    """Return how a run names a grade: formal, where Coq agreed in this run; else with the day that the record has."""
     theorem = all_theorems()[entry["id"]]
     if entry["grade"] != "proved" or not formal.proved([theorem]):
         return entry["grade_line"]

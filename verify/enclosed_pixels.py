@@ -62,7 +62,7 @@ def random_raster(random: np.random.Generator) -> tuple[int, int, tuple[int, int
 
 
 def truth_of(frame: Frame, column: int, row: int, bits: int = BITS, **others: arb) -> dict[str, arb]:
-    """Return the balls of every line of a frame's pixel; others: what stands in place of the scene's numbers."""
+    """Return the balls of every line of a frame's pixel; others: numbers in place of the scene's."""
     scene, raster, method = frame.scene, frame.raster, frame.method
     left, top, *_ = raster.crop  # type: ignore[misc]  # checked when it was made
     place = {"column": left + column, "row": top + row, "width": raster.width, "height": raster.height}
@@ -79,7 +79,7 @@ def compared(frame: Frame, column: int, row: int) -> tuple[list[arb], bool]:
 
 
 def errors(frame: Frame, column: int, row: int) -> tuple[np.ndarray, np.ndarray, bool]:
-    """Return what each channel of a pixel is certainly off, NaN where that is on an edge at any digits; its bound; and
+    """Return the certain error of each channel of a pixel, NaN where it is on an edge at any digits; its bound; and
     whether the chamber is another than the true one, and not open.
     """
     enclosures, same_chamber = compared(frame, column, row)
@@ -127,7 +127,7 @@ def _edges(codes):
 
 
 def hard_kinds(frame: Frame) -> Iterator[np.ndarray]:
-    """Yield a plane for each kind of hard pixels, in which these have the smallest numbers."""
+    """Yield a plane for each kind of hard pixel: the smaller its number there, the harder a pixel."""
     scene = frame.scene
     surface, shadows = frame.chambers & 3, frame.chambers >> 2 & 31
     u, v = frame.surface_data["u"], frame.surface_data["v"]
@@ -154,7 +154,7 @@ def places(frame: Frame, random: np.random.Generator, each: int) -> list[tuple[i
 
 
 def measure(pictures: int, first: int = 1000) -> dict:
-    """Return what was found of pixels of so many random pictures, as a record's numbers.
+    """Return a record's numbers: counts and shares over the pixels of so many random pictures.
 
     pixels, decided (those of which no channel is on an edge at 256 bits), above_bound (channels), chambers_missed;
     largest_share of a bound; open_share of the pictures, median_ratio, bound by error, of all and of each of KINDS.

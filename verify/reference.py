@@ -19,7 +19,7 @@ COLORS = tuple(s.name for s in rgb)
 
 
 class Undecided(ValueError):
-    """A pixel on an edge, as far as so many digits tell: its selections, and so its colour, are not known."""
+    """The error that balls do not decide a pixel's selections: it is on an edge, as far as these digits tell."""
 
 
 @lru_cache(maxsize=64)
@@ -44,7 +44,7 @@ def lights_on(scene: Scene) -> list[Light]:
 def scene_values(scene: Scene, **others: Any) -> dict[str, Any]:
     """Return {name: number} of a scene and its lights that are on, as `proofs.formulas.pixel` names its inputs.
 
-    others: what else a program takes: width, height, column, row, epsilon, or an image point's x and y; or what stands
+    others: a program's further inputs (width, height, column, row, epsilon, or an image point's x and y), and numbers
     in place of the scene's.
     """
     center, ball_radius = (scene.ball_center, scene.ball_radius) if scene.ball else ((0.0, 0.0, 0.0), 1.0)

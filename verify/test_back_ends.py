@@ -90,13 +90,13 @@ def test_what_is_not_decided_is_enclosed(expression, values, contained):
 
 
 def test_a_ball_that_decides_nothing_is_no_reference():
-    """1/(a − b) with a = b = 1/3: the ball of the difference is around 0, that of the quotient everywhere."""
+    """1/(a − b) with a = b = 1/3: the ball of the difference contains 0, so that of the quotient is all numbers."""
     lines = chain("lines", {c: 1 / (a / 3 - b / 3), d: a * b}, outputs=(c, d))
     assert [ball[0] is None for ball in in_balls(lines, {"a": [1.0], "b": [1.0]}).values()] == [True, False]
 
 
 def test_a_pixel_on_the_silhouette_is_undecided():
-    """ρ = ρ_s = 3.75: the discriminant is 0, and at no number of digits is its sign anything but noise."""
+    """ρ = ρ_s = 3.75: the discriminant is 0, so that its computed sign is noise at any number of digits."""
     scene = Scene(eye=5.0, radius=3.0, ball=False)
     with pytest.raises(Undecided, match=r"column = 10, row = 0: surface, rgb_red.* undecided at 100 digits"):
         reference_pixel(scene, 21, 20, 10, 0, digits=100)

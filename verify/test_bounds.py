@@ -29,7 +29,7 @@ pytestmark = pytest.mark.usefixtures("by_numpy")
 
 @pytest.mark.parametrize("drawn", [(42, 0), pytest.param((840, 1000), marks=pytest.mark.long)])
 def test_no_error_is_above_its_bound(drawn):
-    """Nor bounds that say nothing, of any kind of picture."""
+    """Of any kind of picture; and the median bound is not above 1,000 errors."""
     numbers = measure(*drawn)["numbers"]
     assert (numbers["above_bound"], numbers["chambers_missed"]) == (0, 0)
     assert numbers["decided"] >= 0.95 * numbers["pixels"]
@@ -43,7 +43,7 @@ def test_no_error_is_above_its_bound(drawn):
     Scene(bump="surface", field="sine", model="blinn_gated", shininess=1.0, horizon=True),
 ])  # fmt: skip
 def test_the_default_scene(scene):
-    """Nothing is open, at 256²; bounds are tight. The same of another bump, and of light from in front alone."""
+    """At 256² nothing is open, and bounds are tight; so too with the surface's bump, and with the horizon."""
     frame, random = render(scene, 256, 256, bounds=True), np.random.default_rng(24)
     assert not frame.open.any()
     assert np.median(frame.bounds[(frame.chambers & 3) == 1]) <= 1e-12
@@ -131,7 +131,7 @@ def test_a_half_that_is_rounded_up_to_a_normal_number_is_not_exact():
 
 
 def test_b_is_as_accurate_as_its_condition():
-    """It is as small and as far away as it may be: shaking all inputs by 1e-16 moves its colour by 1.2e-8."""
+    """B as small and as far away as allowed: changing all inputs by 1e-16 of themselves moves its colour by 1.2e-8."""
     crop = 30, 20, 1, 1
     (left,), (top,) = Raster(64, 64, crop).image_points(Scene(eye=1e6, ball=False))
     center = left * (1 - 1.3e-6) + 4e-9, top * (1 - 1.3e-6) + 3e-9, 1.3

@@ -17,7 +17,7 @@ from verify.enclosed_pixels import random_raster, random_scene
 
 def chambers(scene, *raster):
     """Return the chambers of a scene, whose boxes are made anew."""
-    for cached in (numbers.numbers_of, bounds.ball_box, bounds.shadow_boxes):
+    for cached in (bounds.ball_box, bounds.shadow_boxes):
         cached.cache_clear()
     return stage_of(scene, *raster, threads=1).chambers
 
@@ -31,7 +31,7 @@ def everywhere_tested(scene, *raster):
 
 
 def test_random_scenes():
-    """To the last bit; and the scenes do show every surface, and shadows on each."""
+    """The codes are equal to the last bit, and the scenes show every surface, with shadows on each."""
     random, codes = np.random.default_rng(20), set()
     for _ in range(400):
         scene, raster = random_scene(random), random_raster(random)

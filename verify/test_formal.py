@@ -214,7 +214,7 @@ def test_every_name_that_is_given_by_hand_is_asked_for():
 
 
 def test_a_record_that_coq_did_not_write_here_is_told_by_its_day_and_raises_no_grade(tmp_path, monkeypatch):
-    """Nor does what is kept here, which anybody can write: the run asks whether Coq agreed in it."""
+    """Nor does the note kept on this machine, which anybody can write: the run asks whether Coq agreed in it."""
     theorems, here, record = all_theorems().values(), tmp_path / "formal", tmp_path / "record.json"
     record.write_bytes(formal.RECORD.read_bytes())
     monkeypatch.setattr(formal, "KEPT", here)
@@ -261,7 +261,7 @@ x = real("x")
 
 
 def test_a_second_derivative_of_corners_has_no_proposition():
-    """Coq has 0 for that of a sign, at 0 too."""
+    """Coq has the number 0 for a sign's derivative, at 0 too."""
     with pytest.raises(ValueError, match="second one of corners"):
         proposition(Claim("one", equation(Derivative(sign(x), x, 2), 0)))
 
@@ -471,7 +471,7 @@ def test_each_sentence_has_the_goals_that_it_leaves(written, tmp_path, monkeypat
 
 
 def test_goals_are_recorded_of_every_proof_as_it_is():
-    """To the end of each file, and no sentence was an error."""
+    """Goals are recorded to the end of each file, and no sentence was an error."""
     for path in (path for path in formal.FOLDER.glob("*.v") if path.stem not in formal.GIVEN):
         steps = goals.steps_of(path)
         assert steps, f"{path.name}: python -m verify.coq records its goals"

@@ -58,7 +58,7 @@ CHART = (u, v, k_u, k_v)
 
 @pytest.mark.parametrize("function", FUNCTIONS, ids=lambda function: function.kernel)
 def test_a_function_is_one_by_all_its_names(function):
-    """In a kernel, at 50 digits, over balls, in Coq's float64; where fields may call it, of intervals and as text."""
+    """In a kernel, at 50 digits, over balls, in Coq's float64 it is the same; for fields over intervals and as text."""
     two = function.made in (Max, Min, atan2pi)
     expression, at = function.made(*(u, v)[: 1 + two]), {"u": 0.375, "v": 0.8125}
     program = Program("call", (u, v), {h: expression})
@@ -105,7 +105,7 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
 
 @pytest.mark.parametrize("name", ["ridges", "tent", "golf", "bricks", "nested", "hills"])
 def test_no_difference_is_off_unless_it_straddles(name):
-    """Where it does and a slope jumps, it is off by some of the jump; out and back within the step is not noticed."""
+    """A difference across a jump of the slope is off by some of the jump; two crossings in one step are not noticed."""
     at = *np.random.default_rng(53).uniform(0, 1, (2, 4000)), 8.0, 4.0
     ours, true = function_of(METHODS["central"](FIELDS[name]))(*at, 1e-3), function_of(gradient(FIELDS[name]))(*at)
     off = np.max([abs(one - other) + 0 * at[0] for one, other in zip(ours, true, strict=True)], axis=0)
@@ -158,7 +158,7 @@ def test_nothing_is_written_unless_all_can_be_printed(tmp_path, monkeypatch, cap
 
 
 def test_only_what_the_theorems_cover_has_a_bound():
-    """A slanted wave, a square, another amplitude or frequency, a sine of a cosine's angle: none."""
+    """A slanted wave, a square, another amplitude or frequency, and a sine of a cosine's angle have none."""
     assert {"sine", "ridges"} < {field.name for field in COVERED} and slope_terms(FIELDS["slanted"]) is None
     sine, field = sinpi(k_u * u), HEIGHT_FIELDS["sine"]
     for expression in (sine**2, sinpi(3 * k_u * u / 2) * sine, sine * cospi(k_u * u), 2 * sine, sine + sinpi(k_v * v)):

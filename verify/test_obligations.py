@@ -47,7 +47,7 @@ def is_square(code, names):
 def asked_by_the_kernel(statement, values):
     """Return [(relation, values that say it)] of a case's obligations at a point; None if it is another case's.
 
-    What holds of numbers alone, and what is given, needs no word.
+    Hypotheses, and relations of numbers alone, are not asked for.
     """
     at = {str(symbol): value for symbol, value in values.items()}
     at |= {"pi": +mpmath.pi, "cos": mpmath.cos, "sin": mpmath.sin, "mpf": mpmath.mpf}

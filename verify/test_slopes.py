@@ -55,7 +55,7 @@ def truth(frame, name, column, row):
 
 @pytest.mark.parametrize("kind", PICTURES)
 def test_no_slope_is_further_off_than_its_bound(kind, monkeypatch):
-    """Nor does a bound say nothing, nor is there NaN; the pixels of the largest bounds are among those compared."""
+    """No bound is far too large, none NaN; the pixels of the largest bounds are among those compared."""
     scene, names, *method = PICTURES[kind]
     monkeypatch.setitem(HEIGHT_FIELDS, scene.field, HEIGHT_FIELDS.get(scene.field, scene.field))
     frame, random = render(scene, 24, 24, *method, derivatives=names.split(), bounds=True), np.random.default_rng(52)
@@ -83,7 +83,7 @@ def test_both_slopes_at_a_kink_are_within_the_bound():
 
 
 def test_a_scene_is_found_again_from_ten_starts():
-    """By an amplitude within 20 % and a wave number within a quarter of a wave; with noise within what it says."""
+    """From amplitudes within 20 % and wave numbers within a quarter wave; with noise, within the stated errors."""
     target, random = render(SINE, 64, 64, exact("general")).rgb, np.random.default_rng(52)
     for share, waves in random.uniform(-1, 1, (10, 2)).tolist():
         start = replace(SINE, beta=SINE.beta * (1 + 0.2 * share), ku=SINE.ku + 0.25 * waves)

@@ -18,7 +18,7 @@ def _kernel_that_refuses_what_is_false():
 
 
 def test_the_second_checker_agrees(record_property, pytestconfig):
-    """It accepts every certificate, and the points at which hypotheses hold, and refuses what is known to be bad."""
+    """It accepts every certificate, and the points at which hypotheses hold, and refuses known-bad ones."""
     if not second_checker.node():
         pytest.skip("the second checker was not run: it needs Node, on the PATH or playwright's")
     ids, pairs = pytestconfig.getoption("theorem") or THEOREMS, {}

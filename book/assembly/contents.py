@@ -18,7 +18,7 @@ def page_files(book: Path) -> dict[str, Path]:
 
 
 def placed(book: Path, directives: str) -> list[tuple[str, str]]:
-    """[(name, the page that places it)] in the order of the pages; directives: their names, with | between them."""
+    """Return [(name, the page that places it)] in the order of the pages; directives: their names, | between them."""
     line = re.compile(rf"^\s*(?::{{3,}}|`{{3,}})\{{(?:{directives})\}}\s+(\S+)\s*$", re.MULTILINE)
     texts = {page: path.read_text(encoding="utf-8") for page, path in page_files(book).items()}
     return [(name, page) for page, text in texts.items() for name in line.findall(text)]

@@ -1,6 +1,6 @@
-"""Build an edited page anew in a process that stays, and show it, below what is wrong with it: `python -m book watch`.
+"""The watch: a process that builds each edited page and shows it, below its errors: `python -m book watch`.
 
-Only pages are watched. What else a page is made from (figures, theorems, the extension) wants `python -m book`.
+Only pages are watched: after a change of figures, theorems or the extension run `python -m book`.
 """
 
 import html

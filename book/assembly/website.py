@@ -1,4 +1,4 @@
-"""Build the site with Jupyter Book: beside the old one, swapped in only when it is whole.
+"""The build of the site by Jupyter Book: beside the old one, swapped in only when it is whole.
 
 Where words alone changed since the last build, the work on all other pages is kept.
 """

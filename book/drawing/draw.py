@@ -1,4 +1,4 @@
-"""Draw the figures that changed, two at a time, say why, and remove what no figure claims.
+"""The drawing of figures that changed, two at a time, with the reason, and the removal of files of none.
 
 Each is kept by the hashes of all that it can depend on.
 """
@@ -49,12 +49,14 @@ def draw(ids: Sequence[str] = (), force: bool = False) -> int:
         if reason := "asked for" if force else why_redraw(entry, now):
             families.setdefault(source_file(entry).stem, []).append((entry, now, reason))
             stamps.write(f"figures/{entry.id}", {})  # begun
-    # Those that take longest begin first, so that no process waits long for the other at the end.
+    # The slowest families begin first, so that no process waits long for the other at the end.
     waiting = [families[name] for name in sorted(families, key=PROJECT.slowest.__contains__, reverse=True)]
     # Started afresh: a fork would take over locks and threads of the renderer in whatever state they are.
     with ProcessPoolExecutor(PROCESSES, get_context("spawn")) as pool:
         run = pool.map if PROCESSES > 1 and len(waiting) > 1 else map
-        interrupt = signal.signal(signal.SIGINT, signal.SIG_IGN)  # what begins now takes it over: it is ended below
+        interrupt = signal.signal(
+            signal.SIGINT, signal.SIG_IGN
+        )  # processes begun now inherit this; they are ended below
         results = run(_draw_family, waiting, repeat(GENERATED))
         signal.signal(signal.SIGINT, interrupt)
         try:

@@ -16,7 +16,7 @@ LEAST_CONTRAST = 4.5  # of text with what it stands on
 PAGE_WIDTH = 928 / CSS_PIXELS_PER_INCH  # inches; the column and the margin beside it
 PHONE_WIDTH = 430 / CSS_PIXELS_PER_INCH  # inches; a phone shows it some 360 pixels wide, its letters 9 points high
 
-# What a colour means is the same everywhere. Okabe and Ito's set, safe for colour-blind readers.
+# A colour has one meaning everywhere. Okabe and Ito's set, safe for colour-blind readers.
 ROLE = {"numeric": "#D55E00", "symbolic": "#0072B2", "difference": "#CC79A7", "reference": "#009E73"}
 
 # Of a difference's error by what makes it; none but one is a role's, that of differences.
@@ -53,7 +53,7 @@ def for_dark(svg: str) -> str:
 
 
 def _luminance(colour: str) -> float:
-    """Relative luminance as the Web Content Accessibility Guidelines define it."""
+    """Return the relative luminance as the Web Content Accessibility Guidelines define it."""
     linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in to_rgb(colour)]
     return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 

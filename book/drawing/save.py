@@ -1,4 +1,4 @@
-"""Turn a figure's drawing into files: ID.svg and ID.dark.svg, or ID.png; ID.csv or ID.npz; and always ID.json.
+"""Files of a figure's drawing: ID.svg and ID.dark.svg, or ID.png; ID.csv or ID.npz; and always ID.json.
 
 A plot is drawn a second time for phones: ID.phone.svg and ID.phone.dark.svg.
 

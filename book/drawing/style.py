@@ -53,7 +53,7 @@ SIDES = {  # where a label stands beside its point: its offset in points, its al
 
 @contextmanager
 def styled() -> Iterator[None]:
-    """Matplotlib's settings, all from the book's own file and palette whatever the reader's own are."""
+    """Run a block under the book's own settings of Matplotlib, whatever the reader's are."""
     with matplotlib.rc_context(fname=Path(__file__).with_name("matplotlibrc")):
         for role, names in COLOURED.items():
             matplotlib.rcParams.update(dict.fromkeys(names, colour_of(role)))
@@ -122,7 +122,7 @@ def label_curve(ax: Axes, x: Any, y: np.ndarray, at: float, text: str, role: str
 
 
 def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, decades: float = 0.7) -> None:
-    """A small triangle with its right angle below a line of the given slope, on log-log axes.
+    """Draw a small triangle with its right angle below a line of the given slope, on log-log axes.
 
     (x0, y0) is the triangle's left corner, `decades` its width; |slope| stands by the rise.
     """
@@ -135,7 +135,7 @@ def slope_triangle(ax: Axes, x0: float, y0: float, slope: float, decades: float 
 
 
 def decades(ax: Axes, x: int | None = 1, y: int | None = 1, **axes: Any) -> None:
-    """Log axes whose ticks are powers of ten only, with a thin grid to read values off.
+    """Make axes logarithmic, with powers of ten as the only ticks and a thin grid to read values off.
 
     x, y: every how many decades there is a tick, None for a linear axis. Others go to `ax.set` (xlabel, ylim, title …).
     """
@@ -162,7 +162,7 @@ def _box(fig, left, top, wide, high):
 
 
 def pixel_axes(fig: Figure, left: float, top: float, wide: float, high: float, **limits: Any) -> Axes:
-    """Axes that fill a box given in CSS pixels from the figure's upper left corner, without a frame."""
+    """Return axes that fill a box given in CSS pixels from the figure's upper left corner, without a frame."""
     ax = fig.add_axes(_box(fig, left, top, wide, high))
     ax.set_axis_off()
     ax.set(**limits)
@@ -186,7 +186,7 @@ def panels(
     images: Sequence[np.ndarray], titles: Sequence[str] | None = None, bar: tuple[float, float] | None = None,
     bar_label: str = "largest |ΔI| of a channel", foot: int = 0,
 ) -> Figure:  # fmt: skip
-    """Pictures beside each other with their titles as type, pixel for pixel, and a log colour bar if asked.
+    """Draw pictures beside each other, pixel for pixel, with titles as type and, if asked, a log colour bar.
 
     Sizes are CSS pixels, one for each pixel of a picture, so nothing is resampled; `foot` of them stay free below.
     """

@@ -11,7 +11,7 @@ from book.assembly.stamps import Refused
 
 HERE = Path(__file__).parent
 FLAGS = ["--disable-gpu", "--disable-quic"]  # beside Playwright's own, by which it says no word to the network
-PAGE = {"width": 658, "height": 979}  # what A4 has inside its margins, in CSS pixels
+PAGE = {"width": 658, "height": 979}  # A4 inside its margins, in CSS pixels
 PATIENCE = 900_000  # milliseconds: a busy machine typesets thousands of formulas slowly
 FOOTER = (
     '<div style="color: #66625a; display: flex; font: 8pt Georgia, serif; justify-content: space-between; '

@@ -86,7 +86,7 @@ class Chapter:
         return [(self.site / path, tag) for path, tag in tags.items()]
 
     def scripts(self, deferred: bool) -> Iterator[Tag]:
-        """Every script as an element, with its data: those that wait for the document, or those that do not."""
+        """Return every script as an element, with its data: those that wait for the document, or those that do not."""
         for path, tag in self.loads("script"):
             if tag.has_attr("defer") == deferred:
                 text, data = inlined_script(path), {n: value for n, value in tag.attrs.items() if n.startswith("data-")}
@@ -142,7 +142,7 @@ def put_head(chapter: Chapter) -> None:
 
 
 def put_scripts(chapter: Chapter) -> None:
-    """Scripts in the order in which a browser would run them; the file's own comes last."""
+    """Put scripts in the order in which a browser would run them; the file's own comes last."""
     head, body = chapter.shell.head, chapter.shell.body
     options = next(tag for tag in head.find_all("script") if "DOCUMENTATION_OPTIONS" in tag.get_text())
     options.insert_before(*chapter.scripts(deferred=False))

@@ -35,7 +35,7 @@ def as_webp(png: bytes) -> bytes:
 
 
 def base64_gzip(content: bytes) -> str:
-    """Bytes compressed, as text; the same every time."""
+    """Return bytes compressed, as text; the same every time."""
     return base64.b64encode(gzip.compress(content, 9, mtime=0)).decode()
 
 

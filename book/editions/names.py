@@ -30,7 +30,7 @@ class Names:
         return self.table[name].get(section["id"], section["id"]) if section else name
 
     def place(self, path: str, id: str) -> str | None:
-        """Return the `#id` for a file of the site and a fragment; None if it is no page of the file."""
+        """Return the single file's `#id` for a page of the site and an id on it; None if the file lacks that page."""
         name = path.removesuffix(".html")
         if name not in self.pages:
             return None
@@ -38,7 +38,7 @@ class Names:
 
 
 def rename(page: Page, names: Names) -> None:
-    """Give the page's elements their new ids, and change what refers to them by name."""
+    """Give the page's elements their new ids, and change every attribute that refers to one."""
     table = names.table[page.name]
     for tag in page.article.find_all(True):
         if tag.get("id"):

@@ -67,7 +67,7 @@ def read_page(site: Path, name: str) -> Page:
 
 
 def linked(part: Tag, page: str) -> Iterator[str]:
-    """The names of the pages that a part of a page leads to."""
+    """Return the names of the pages that a part of a page leads to."""
     for link in part.find_all("a", href=True):
         aim = target(page, link["href"])
         if aim and aim[0].endswith(".html") and aim[0] not in LEFT_OUT:

@@ -20,7 +20,9 @@ def difference(light: list[str], dark: list[str]) -> list[str] | None:
 
 
 def change(old: str, new: str) -> str:
-    """Return "start end text": how many characters of the old part stay at either end, and the text between."""
+    """Return the change from an old text to a new one as "start end text".
+
+    start, end: how many characters of the old text stay at either end. text: what replaces those between them."""
     start = len(commonprefix([old, new]))  # noqa: RUF071
     end = len(commonprefix([old[start:][::-1], new[start:][::-1]]))  # noqa: RUF071
     return f"{start} {end} {new[start : len(new) - end]}"

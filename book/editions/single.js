@@ -83,7 +83,7 @@
     const link = event.target instanceof Element ? event.target.closest("a") : null;
     const address = link?.getAttribute("href");
     if (!link || !address) return;
-    if (link.dataset.packed && "DecompressionStream" in window) {
+    if (link.dataset.packed) {
       event.preventDefault();
       unpack(link);
     } else if (address.startsWith("#")) {

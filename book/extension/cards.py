@@ -75,7 +75,7 @@ def proof_address(name: str) -> str:
 
 
 def said_by_coq(theorem: Theorem, formally: dict) -> tuple[dict[str, str], int, int]:
-    """Return what Coq says of a theorem, claims and additions, how many points, and how many false variants."""
+    """Return ({name: what Coq proves of a theorem, claims and additions}, how many points, how many false variants)."""
     printed, more = statements(theorem), formally["statements"]
     points, false = (sum(name.endswith(end) for name in more) for end in ("__point", "__false"))
     claims = {name: printed[name] for name in formally["claims"]}

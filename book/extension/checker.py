@@ -45,7 +45,7 @@ def stored(path: Path) -> list[dict]:
 
 
 def packed(data: dict | list) -> nodes.raw:
-    """Data in an element, compressed JSON; whole, so that the search takes none of it for words."""
+    """Return an element that holds data as compressed JSON; in one piece, so that the search finds no words in it."""
     text = json.dumps(data, separators=(",", ":"), ensure_ascii=False)
     return raw(f'<script type="application/gzip">{base64_gzip(text.encode())}</script>')
 

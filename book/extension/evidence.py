@@ -4,7 +4,7 @@ from book.extension.theorems import kind
 
 
 def count(number: int, word: str) -> str:
-    """1 certificate, 2 certificates."""
+    """Return a count with its noun: 1 certificate, 2 certificates."""
     return f"{number:,} {word}{'' if number == 1 else 's'}"
 
 

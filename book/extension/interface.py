@@ -14,7 +14,7 @@ INDENT = "    "
 
 
 def _escaped(text: str) -> str:
-    """Text with `code` between two backticks each, and nothing else that reStructuredText would read."""
+    """Return a text with `code` between double backticks, and nothing else that reStructuredText would read."""
     parts = text.split("`")
     return "".join(f"``{part}``" if odd % 2 else MARKUP.sub(r"\\\1", part) for odd, part in enumerate(parts))
 

@@ -110,7 +110,7 @@ class Entries(Here):
         return file_link(text, f"/_generated/{figure}.json", f"{figure}.json")
 
     def first_with(self) -> dict[str, LedgerClaim]:
-        """Finding → the claim that has its anchor: the one whose verdict is the hardest."""
+        """Return {finding: the claim that has its anchor}: of its claims the one with the hardest verdict."""
         hardest = sorted(self.ledger.sorted_by_place(), key=lambda claim: VERDICTS.index(claim.verdict))
         return {code: next(claim for claim in hardest if code in claim.findings) for code in FINDINGS}
 
@@ -129,7 +129,7 @@ def in_signs(text: str) -> Nodes:
 
 @cache
 def figure_pages(book: Path) -> dict[str, str]:
-    """Return the page on which each figure is placed."""
+    """Return {figure's id: the page on which it is placed}."""
     return dict(placed(book, "chapter-figure|idea|worked-pixel"))
 
 

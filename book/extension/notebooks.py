@@ -32,7 +32,7 @@ INPUT = re.compile(f"(?<={CODE}).*?(?=</pre>)", re.DOTALL)
 HELD = re.compile(r'ipynb\+json;base64,([^"]+)"[^>]+download="(\w+\.ipynb)"')
 PARAGRAPH = re.compile(r"(?:.+\n?)+\n*")
 UNCOLOURED = re.compile(r'<span class="[npw]">([^<]*)</span>')  # names, signs and blanks, half of the page's bytes
-SHOWN = ("# Knobs:", "# Here:")  # what the lines begin with that are not folded
+SHOWN = ("# Knobs:", "# Here:")  # the beginnings of lines that are not folded
 
 
 @directive("notebook", arguments=1)
@@ -44,7 +44,7 @@ def notebook_links(here: SphinxDirective) -> Nodes:
 
 
 def ways_to_run(here: SphinxDirective, name: str, title: str, notebook: NotebookNode, code: str) -> Nodes:
-    """Links to a notebook; code: the selector of what is copied, if anything is."""
+    """Return links to a notebook; code: the selector of the text that a button copies, if there is one."""
     config = stamps.table_in(Path(here.env.srcdir, "_config.yml"))["repository"]
     match, content = GITHUB.fullmatch(config["url"]), nbformat.writes(notebook).encode()
     link = {

@@ -62,7 +62,7 @@ def lend_frame(app: Sphinx, config: Config) -> None:
 
 @on("doctree-read", priority=100)
 def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
-    """`(s1)=` before a heading gives `<section id="s1">`; Sphinx alone gives the section its title's id."""
+    """Let `(s1)=` before a heading give `<section id="s1">`; Sphinx alone gives the section its title's id."""
     explicit = {document.nameids.get(name) for name, is_explicit in document.nametypes.items() if is_explicit}
     for section in document.findall(nodes.section):
         section["ids"].sort(key=lambda id: id not in explicit)
@@ -70,7 +70,7 @@ def put_explicit_ids_first(app: Sphinx, document: nodes.document) -> None:
 
 @on("env-updated")
 def write_on_two_cores(app: Sphinx, environment: BuildEnvironment) -> None:
-    """Pages are read in one process, where the laboratory's cells run, and written in two."""
+    """Let Sphinx write pages in two processes; one reads them, and runs the laboratory's cells."""
     if "BOOK_EXECUTION_CACHE" in os.environ:  # set by book/assembly/website.py, and by no test
         app.parallel = 2
 

@@ -38,7 +38,7 @@ def tex_value(text: str) -> str:
 
 
 def tex_point(at: dict[str, str]) -> list[str]:
-    """Equations in TeX, one a variable; three coordinates make one vector."""
+    """Return a point as equations in TeX, one a variable; three coordinates make one vector."""
     equations = []
     for name, value in at.items():
         stem, _, axis = name.rpartition("_")

@@ -10,7 +10,7 @@ EMPTY_HEADING = re.compile(r'<th class="head[^"]*">(?:<p></p>)?</th>')
 
 # A formula breaks nowhere inside, but would break between it and its punctuation.
 PUNCTUATED = re.compile(r"[“‘(\[]*<math [^>]*>(?:(?!</math>).)*</math>(?:[.,;:?!)\]’”]+|[’-]\w+)")
-# What an extension loads on every page, by a part of its name, and what the pages have that need it.
+# Of each script that an extension loads on every page, by a part of its name: the text of pages that need it.
 NEEDED_BY = {
     "clipboard": "highlight",
     "copybutton": "highlight",

@@ -23,7 +23,7 @@ COMPACT = {"ensure_ascii": False, "separators": (",", ":")}
 
 
 def paragraphs(document: nodes.document) -> Iterator[tuple[str, str]]:
-    """A page's texts in order: the id of the section or the card, and some words."""
+    """Return a page's texts in order: the id of the section or the card, and some words."""
     for node in document.findall(lambda node: isinstance(node, nodes.paragraph | Filled | nodes.caption)):
         for text in "".join(_words(node)).split(BREAK):
             if " " in (text := " ".join(text.split())) and NOT_READ not in text:

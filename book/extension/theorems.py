@@ -58,7 +58,7 @@ class Proofs:
     places: dict[str, str]
 
     def reached(self, id: str) -> None:
-        """ValueError unless the theorem is known, and its last run gave the grade that it expects."""
+        """Raise ValueError unless the theorem is known, and its last run gave the grade that it expects."""
         if id not in self.theorems:
             raise ValueError(f"unknown theorem {id!r}; there are: {', '.join(sorted(self.theorems))}")
         expected, grade = self.theorems[id].expected, self.entries[id]["grade"]

@@ -5,7 +5,7 @@ import numpy as np
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import GAP, canvas, panels, pixel_picture, pixel_text
 from book.figures.chapter_scene import FINE, SCENE, averaged, symbolic
-from book.idea_kernels import BALLS, angles, surfaces
+from book.programs.idea_kernels import BALLS, angles, surfaces
 from renderer.picture.views import to_bytes
 from verify.accuracy.frontiers import fiction
 

@@ -1,4 +1,4 @@
-"""Certified bounds beside true errors: of a small picture, and of fields of one's own."""
+"""Certified bounds beside true errors: of a small picture, and of custom fields."""
 
 from random import Random
 

@@ -73,7 +73,7 @@ def derivative_u_curve() -> Drawing:
 
 @figure
 def derivative_fit() -> Drawing:
-    """Scenes found again by β and k_u from ten starts, and from afar; numbers only."""
+    """A target, and where its search starts; numbers of ten starts, and of one from afar."""
     names, random, target = ("beta", "ku"), np.random.default_rng(52), render(SCENE, 64, 64, exact("general")).rgb
 
     def found(share, waves):
@@ -83,17 +83,26 @@ def derivative_fit() -> Drawing:
     near = [found(0.2 * share, 0.25 * waves) for share, waves in random.uniform(-1, 1, (10, 2)).tolist()]
     off = [abs(each.scene.number(name) - SCENE.number(name)) for each in near for name in names]
     numbers = {"converged": sum(each.converged for each in near), "off": max(off), "far": found(-0.7, -5).scene.ku}
-    return Drawing(numbers=numbers | {"most": max(each.pictures for each in near), "side": len(target)})
+    numbers |= {"most": max(each.pictures for each in near), "side": len(target)}
+    scenes = SCENE.with_numbers({"beta": 0.2, "ku": 8.2}), SCENE
+    frames = [render(scene, SMALL, SMALL, bounds=True) for scene in scenes]
+    return Drawing(panels([*map(image_view, frames)], ("the target", "the sphere")), numbers, shown=frames)
 
 
 @figure
 def found_again() -> Drawing:
     """A picture of sine under noise, the scene from which `fit` starts, and the one that it finds."""
-    start, random = SCENE.with_numbers({"beta": 0.1, "ku": 7.0}), np.random.default_rng(56)
+    begin, random = {"beta": 0.1, "ku": 7.0}, np.random.default_rng(56)
+    start = SCENE.with_numbers(begin)
     given = render(SCENE, SMALL, SMALL, exact("general")).rgb + random.normal(0, 0.1, (SMALL, SMALL, 3))
-    found = fit(start, given, ("beta", "ku"))
+    found = fit(start, given, [*begin])
+    numbers = {
+        "start": begin,
+        "found": {name: found.scene.number(name) for name in begin},
+        "error": found.errors,
+        "pictures": found.pictures,
+        "side": SMALL,
+    }
     frames = [render(scene, SMALL, SMALL, bounds=True) for scene in (start, found.scene)]
-    numbers = {name: {"beta": scene.beta, "ku": scene.ku} for name, scene in (("start", start), ("found", found.scene))}
-    numbers |= {"error": found.errors, "pictures": found.pictures, "side": SMALL}
     pictures = [to_bytes(given), *map(image_view, frames)]
     return Drawing(panels(pictures, ("given", "the start", "found")), numbers, shown=frames)

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from book.drawing.registry import Drawing, figure
 from book.drawing.style import canvas, colour_of, curve, decades, dots, label, pixel_axes, pixel_text, plot
 from book.figures.chapter_scene import SCENE, SIZE, symbolic
-from book.idea_kernels import BALLS, bump_at, lines_at, slope_parts, two_slopes
+from book.programs.idea_kernels import BALLS, bump_at, lines_at, slope_parts, two_slopes
 from book.worked import COLUMN, ROW
 from renderer import HeightField, kernels, render
 from renderer.picture.views import image_view, to_bytes

@@ -20,8 +20,8 @@ A claim is one `[[claim]]` table in any file of `book/ledger/claims/`:
 `holds with a condition` needs a `condition`, in MyST; `outside this chapter: not checked` needs a `reason` in place of
 `so` and has no evidence. Relations are `== 0`, `!= 0`, `< 1e-12`, `<= 1`, `> 0`, `>= 2`, `in [0.45, 0.65]`.
 
-What speaks against a claim is found by the run, as far as a run can: a number of the evidence may have `claimed`, the
-relation that the claim's own words give it; where that does not hold, the number refutes the claim. A theorem refutes
+A run refutes a claim by itself where it can: a number of the evidence may have `claimed`, the relation that the claim's
+own words give it; where that does not hold, the number refutes the claim. A theorem refutes
 if its grade is `refuted` (`refutes = false`: it is the claim's opposite that was refuted) or if the entry says
 `refutes = true`; a test and a source if the entry says so. A claim that is `false` or `corrected` needs evidence that
 refutes it, one that `holds` may have none.

@@ -1,6 +1,6 @@
-"""Hold the ledger against a run: grades, numbers, tests, sources; and see that nothing is left without a claim.
+"""The ledger's check against a run: grades, numbers, tests, sources; and that nothing is left without a claim.
 
-What an entry's texts cite is held by the site's build, which prints them.
+The site's build, which prints an entry's texts, checks their citations and numbers.
 """
 
 import ast
@@ -122,7 +122,7 @@ def _verdict(claim: LedgerClaim, run: Run) -> Iterator[str]:
 
 
 def _orphans(ledger: Ledger, run: Run) -> Iterator[str]:
-    """Theorems, findings and places of the seed that no claim accounts for."""
+    """Return the theorems, findings and places of the seed that no claim accounts for."""
     needed = {piece.name for claim in ledger.claims for piece in claim.evidence if piece.kind == "theorem"}
     yield from (f"theorem {id}: no claim rests on it" for id in run.entries if id not in needed)
     codes = {code for claim in ledger.claims if claim.verdict != OUTSIDE for code in claim.findings}

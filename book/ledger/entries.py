@@ -1,4 +1,4 @@
-"""Read the ledger's files into entries, and refuse what no run is needed to refuse: schema.json says what they are.
+"""Entries of the ledger, read from its files by schema.json; errors that show without a run are refused here.
 
 A number has to satisfy a relation: `== 0`, `< 1e-12`, `in [0.45, 0.65]`.
 """

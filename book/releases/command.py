@@ -1,4 +1,4 @@
-"""`python -m book release-notes` and `python -m book release`.
+"""The commands `python -m book release-notes` and `python -m book release`.
 
 The notes compare the built book with the last release in `releases/`: theorems, numbers (in ulps or per cent), pictures
 (with difference images; of a plot, that its numbers moved). They fail where a grade was weakened, or a number left the
@@ -19,7 +19,7 @@ OUT = BOOK / "_build" / "release"
 
 
 def release_notes(now: dict | None = None, against: str | None = None) -> int:
-    """Print and write what moved since the last release; 1 if the changelog has to name something that it does not."""
+    """Print and write what moved since the last release; return 1 if the changelog lacks an id that moved."""
     now = now or record.make()
     version = against or archive.before(now["version"])
     then = archive.read(version)

@@ -52,7 +52,7 @@ def grade_words(theorem: dict) -> str:
 
 
 def theorems(before: dict, after: dict) -> list[Change]:
-    """Theorems added, removed, weakened, strengthened, and stated in other words."""
+    """Return the theorems added, removed, weakened, strengthened, and stated in other words."""
     return _compared(before, after, grade_words, _theorem, named=True)
 
 
@@ -70,7 +70,7 @@ def _theorem(id: str, old: dict, new: dict) -> Iterator[Change]:
 
 
 def numbers(before: dict, after: dict) -> list[Change]:
-    """Numbers added, removed and moved; out of tolerance where they moved further than the older record allows."""
+    """Return the numbers added, removed and moved; out of tolerance if further than the older record allows."""
     return _compared(before, after, lambda entry: str(entry["value"]), _number)
 
 
@@ -87,7 +87,7 @@ def _number(id: str, before: dict, after: dict) -> Iterator[Change]:
 
 
 def pictures(before: dict, after: dict, folder: Path, generated: Path) -> list[Change]:
-    """Pictures added, removed and changed.
+    """Return the pictures added, removed and changed.
 
     `folder` is that of the release before, `generated` the one with the figures and data as drawn now.
     """

@@ -23,7 +23,7 @@ def arrays_of(path: Path) -> dict[str, np.ndarray]:
 
 
 def side_by_side(pictures: list[np.ndarray]) -> np.ndarray:
-    """Pictures on one transparent canvas, from the left: (tallest, sum of the widths, 4) uint8."""
+    """Return pictures on one transparent canvas, from the left: (tallest, sum of the widths, 4) uint8."""
     images = [Image.fromarray(picture) for picture in pictures]
     canvas = Image.new("RGBA", (sum(image.width for image in images), max(image.height for image in images)))
     left = 0

@@ -40,7 +40,7 @@ def make() -> dict:
 
 
 def theorems() -> dict[str, dict]:
-    """Id → what the last run graded it, the words of the statement, and digests of what says them, by name."""
+    """Return {id: its grade in the last run, the words of its statement, the digests of claims and pins, by name}."""
     entries, stated = report.load(), all_theorems()
     return {
         id: {
@@ -54,7 +54,7 @@ def theorems() -> dict[str, dict]:
 
 
 def says(theorem: Theorem) -> dict[str, str]:
-    """The digests of a theorem's hypotheses, of its claims as they are printed for Coq, and of what it pins."""
+    """Return the digests of a theorem's hypotheses, of its claims as they are printed for Coq, and of what it pins."""
     printed = {"hypotheses": " ".join(theorem.hypotheses)} | statements(theorem)
     return {name: recorded.digest(text) for name, text in printed.items()} | {
         pin.name: pin.digest for pin in theorem.pinned

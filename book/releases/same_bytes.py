@@ -1,4 +1,4 @@
-"""Check that a build from a clean clone in another folder gives the same bytes as the one here."""
+"""The check that a build from a clean clone in another folder gives the same bytes as the one here."""
 
 import os
 import subprocess

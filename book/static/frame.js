@@ -31,14 +31,6 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
     for (const button of document.querySelectorAll(selector)) button.addEventListener("click", work);
   }
 
-  /** A dialog closes by a click beside it. @param {HTMLDialogElement} dialog */
-  function close_beside(dialog) {
-    dialog.addEventListener("click", (event) => {
-      const { x, y, width, height } = pointer_in(dialog, event);
-      if (event.target === dialog && (x < 0 || y < 0 || x > width || y > height)) dialog.close();
-    });
-  }
-
   function search() {
     const field = document.querySelector(/** @type {"input"} */ (":not(dialog) > form.bd-search input"));
     const dialog = document.querySelector(/** @type {"dialog"} */ ("#pst-search-dialog"));
@@ -64,16 +56,14 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
       }
     });
     dialog.addEventListener("close", () => move(dialog, side));
-    close_beside(dialog);
   }
 
-  /** Open one menu of files, or none, and close the others. @param {Node | null} chosen */
-  function drop_down(chosen) {
-    for (const button of document.querySelectorAll(".dropdown-toggle")) {
-      const open = button.contains(chosen) && button.getAttribute("aria-expanded") !== "true";
-      button.setAttribute("aria-expanded", String(open));
-      button.nextElementSibling?.classList.toggle("show", open);
-    }
+  /** A menu of files opens and closes, and says so, as the browser has it. @param {HTMLButtonElement} button */
+  function drop_down(button) {
+    const menu = /** @type {HTMLElement} */ (button.nextElementSibling);
+    menu.popover = "auto";
+    button.popoverTargetElement = menu;
+    button.ariaExpanded = null;
   }
 
   function mark_section() {
@@ -97,7 +87,8 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
   function begin() {
     on_click(".theme-switch-button", next_colour);
     on_click(".search-button__button", search);
-    /** @type {HTMLDialogElement[]} */ (find_all(document, "#pst-search-dialog")).forEach(close_beside);
+    for (const dialog of document.querySelectorAll("dialog")) dialog.closedBy = "any"; // by a click beside it
+    /** @type {HTMLButtonElement[]} */ (find_all(document, ".dropdown-toggle")).forEach(drop_down);
     menu("primary", 992);
     menu("secondary", 1200);
     new ResizeObserver(() => {
@@ -108,15 +99,11 @@ document.fonts.load('1em "Book Formulas"'); // before a formula is laid out, so 
 
   colour(root.dataset.mode ?? "auto"); // before anything is in the page, which else gets its colours twice
   dark.addEventListener("change", () => root.dataset.mode === "auto" && colour("auto"));
-  addEventListener("click", ({ target }) => {
-    root.classList.remove("begun");
-    drop_down(target instanceof Node ? target : null);
-  });
+  addEventListener("click", () => root.classList.remove("begun"));
   addEventListener("toggle", ({ target }) => unfold(/** @type {Element} */ (target)), true);
   addEventListener("keydown", (event) => {
     const { key } = event;
-    if (key === "Escape") drop_down(null);
-    else if (!event.ctrlKey && !event.metaKey) return;
+    if (!event.ctrlKey && !event.metaKey) return;
     if (key === "f") unfold(document); // the browser's own search reads what is there
     if (key !== "k") return;
     event.preventDefault();

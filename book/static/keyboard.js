@@ -112,11 +112,8 @@
     note.replaceChildren(card ?? Statements[link.hash]);
     for (const named of find_all(note, "[id]")) named.removeAttribute("id");
     document.body.append(note);
-    note.showPopover();
+    note.showPopover({ source: link }); // beside which the style sheet puts it
     link.ariaDescription = note.textContent;
-    const { left, top, bottom } = link.getBoundingClientRect();
-    const down = bottom + note.offsetHeight < innerHeight ? bottom : top - note.offsetHeight;
-    note.style.translate = `${clamp(8, left, innerWidth - note.offsetWidth - 8)}px ${down}px`;
   }
 
   /** @param {ClipboardEvent} event */

@@ -1,6 +1,8 @@
 // What the book's scripts share: elements, numbers as print has them, and a little arithmetic.
 "use strict";
 
+const PICTURES = ["numeric", "symbolic", "difference"];
+
 /**
  * Return the first element of a selector, which the page has; throw where it has none.
  * @template {Element} [E=HTMLElement]
@@ -38,14 +40,9 @@ function make_element(tag, attributes = {}, ...children) {
   return made;
 }
 
-/**
- * Return a new button that has work done.
- * @param {Node | string} label
- * @param {() => void} work
- * @param {Record<string, string | number>} [attributes]
- */
-function make_button(label, work, attributes) {
-  const button = make_element("button", { type: "button", ...attributes }, label);
+/** Return a new button that has work done. @param {string} label @param {() => void} work */
+function make_button(label, work) {
+  const button = make_element("button", { type: "button" }, label);
   button.addEventListener("click", work);
   return button;
 }
@@ -178,9 +175,6 @@ function as_slider(own, origin, label, [first, last], moved, stepped) {
   return (now, words) => set_attributes(own, { "aria-valuenow": now, "aria-valuetext": words });
 }
 
-/** Milliseconds as seconds. @param {number} time */
-const seconds = (time) => `${(time / 1000).toFixed(1)} s`;
-
 /**
  * A worker that runs functions of the page: a file that is opened from a disk may load none by its address. The last
  * one is given what posts a reply, and returns what takes a message.
@@ -237,11 +231,11 @@ function when_ready(work) {
 }
 
 /**
- * Do some work for each element, once: when it is less than a screen away.
+ * Do some work for each element, once: when it is less than a screen away, or so much.
  * @param {Iterable<HTMLElement>} elements
  * @param {(element: HTMLElement) => void} work
  */
-function when_near(elements, work) {
+function when_near(elements, work, rootMargin = "100%") {
   const far = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries) {
@@ -250,7 +244,7 @@ function when_near(elements, work) {
         work(/** @type {HTMLElement} */ (target));
       }
     },
-    { rootMargin: "100%" }
+    { rootMargin }
   );
   for (const element of elements) far.observe(element);
 }

@@ -1,4 +1,4 @@
-"""Angles, of which cosines and sines are taken by the addition formulas. This file is trusted.
+"""Angles: their cosines and sines as polynomials, by the addition formulas. This file is trusted.
 
 An angle is a sum of whole multiples of atoms, each divided by the denominators that occur with it. An atom gives two
 variables with c² + s² = 1; in an induction, where it is a multiple of n, two states.
@@ -57,7 +57,7 @@ def circle_of(part: Expr) -> tuple[Symbol, Symbol]:
 
 
 def denominators_of(angles: Iterable[Expr]) -> dict[Expr, int]:
-    """Return {atom: by what it is divided at most}, so that each angle is a whole multiple of what is left."""
+    """Return {atom: its common denominator}: each angle has whole multiples of the atom divided by it."""
     found: dict[Expr, int] = {}
     for multiple, atom in (term for angle in angles for term in terms_of(angle)):
         found[atom] = lcm(found.get(atom, 1), int(multiple.q))

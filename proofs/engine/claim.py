@@ -42,7 +42,7 @@ def at_least(left: Basic | int, right: Basic | int) -> Basic:
 
 @evaluated
 def number(value: Basic | int | str) -> Basic:
-    """Return an exact number for a range or a point: arithmetic, of which no claim is made.
+    """Return SymPy's exact number for a range or a point: a decimal's fraction, the result of arithmetic.
 
     >>> from proofs.theorems.language import number
     >>> number("0.1"), number(3)
@@ -140,7 +140,7 @@ class Claim(Parts):
         )
 
     def everywhere(self) -> list[Basic]:
-        """Return the claim's other expressions: every line of its program, what has a range."""
+        """Return the claim's other expressions: every line of its program, and symbols that have a range."""
         lines = (self.lines.definitions, self.lines.inputs) if self.lines else ()
         return [*flat(lines), *dict(self.ranges)]
 
@@ -190,7 +190,7 @@ class Induction(Parts):
     given: Some = ()
 
     def of(self, number: int) -> Claim:
-        """Return the claim for one number: of the states that its lines reach from the start."""
+        """Return the Claim for one number n: of the states after n steps from the start."""
         states: dict[Basic, Any] = {symbol: sympify(start) for symbol, start, _ in self.states}
         lines = []
         for before in range(number):

@@ -13,7 +13,7 @@ CIRCLE = re.compile(r"(cos|sin)\((.*)\)")
 
 
 class NotRational(ValueError):
-    """A point at which an expression has no rational value, or a hypothesis fails."""
+    """The error that at a point an expression has no rational value, or a hypothesis fails."""
 
 
 def rational_root(value: Fraction) -> Fraction:
@@ -28,8 +28,8 @@ def rational_root(value: Fraction) -> Fraction:
 def refutation(statements: list[dict], point: Mapping[Symbol, Expr | Fraction | int]) -> tuple[dict, dict] | None:
     """Return (statement, certificate) of kind "refutation" that the kernel accepts, or None.
 
-    statements: derivations, each of which ends with what is to fail: before it stands what an expression needs to have
-    a value. point: {symbol: exact value} of the inputs, angles too. Only a symbol is a coordinate: π is one number.
+    statements: derivations, whose last goal is to fail; their other goals, under which expressions have a value, are to
+    hold. point: {symbol: exact value} of the inputs, angles too. Only a symbol is a coordinate: π is one number.
     """
     if not all(symbol.is_Symbol for symbol in point):
         return None
@@ -65,7 +65,7 @@ def _complete(statement, at):
 
 
 def _coordinate(name, at):
-    """Return a name's value; a cosine and a sine are those of their angle there: nobody chooses them."""
+    """Return a name's value at the point; that of a cosine or a sine is computed from its angle."""
     value = at.get(name)
     if circle := CIRCLE.fullmatch(name):
         symbols = {s: Symbol(s, real=True) for s in re.findall(r"[A-Za-z_]\w*", circle[2]) if s != "pi"}

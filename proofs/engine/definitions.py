@@ -51,7 +51,7 @@ class Reading:
         return (number * part).expand()
 
     def _factors(self, e):
-        """Return the factors of a product. That terms cancel is read, and that a number is 0 is left to the kernel."""
+        """Return the factors of a product, each a sum as it is read; the number 0 is a part, left to the kernel."""
         if e.is_Mul:
             return sum(map(self._factors, e.args), Counter())
         return self.factors.get(e, Counter([self._part(e) if e == 0 else self.sum(e)]))

@@ -1,4 +1,4 @@
-"""The derivative of an expression by rules, each with what shows that there is one. This file is trusted."""
+"""The derivative of an expression by rules, each with the conditions under which it exists. This file is trusted."""
 
 from collections.abc import Callable
 
@@ -40,15 +40,15 @@ MOST_STEPS = 60  # hypotheses, lines, roots, quotients and conclusions of a clai
 
 
 class NotFound(ValueError):
-    """No certificate and no counterexample was found: for what, and what is left of it."""
+    """The error that no certificate and no counterexample was found: of which statement, and what is left of it."""
 
 
 class Untranslatable(NotFound):
-    """The claim has a part that no rule translates: nothing is stated, and nothing found."""
+    """The error that no rule translates a part of the claim, so there is no statement to prove."""
 
 
 def small(number: float) -> None:
-    """Refuse what would take more than seconds to write out: so many terms or powers, a tenth as many cases."""
+    """Refuse a number of terms, powers or cases that would take more than seconds to write out."""
     if number > LARGEST:
         raise Untranslatable(f"terms, powers, cases or levels come to {number}, more than {LARGEST}")
 
@@ -62,8 +62,8 @@ def few(steps: int) -> None:
 def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:
     """Return ∂e/∂x as it stands, wherever e has a value; raise Untranslatable where no rule differentiates e.
 
-    side(f) returns the sign of f, after it has made an obligation of f ≠ 0: what has a corner, or a radicand, at f = 0
-    is differentiated beside it, where f, which is differentiable, keeps its sign.
+    side(f) returns the sign of f and makes an obligation of f ≠ 0: at f = 0 |f| has a corner, and √f no slope. Near a
+    point where f ≠ 0 it keeps its sign, as it is differentiable.
     """
 
     def by_x(part: Expr) -> Expr:
@@ -105,7 +105,7 @@ def derivative(e: Expr, x: Symbol, side: Callable[[Expr], int]) -> Expr:
 
 
 def inner(e: Derivative, side: Callable[[Expr], int]) -> Expr:
-    """Return what a Derivative says, one rule after another."""
+    """Return a Derivative's expression differentiated by each of its symbols in turn."""
     result = e.expr
     if len(e.variables) > HIGHEST:
         raise Untranslatable(f"no rule differentiates {len(e.variables)} times")

@@ -1,4 +1,4 @@
-"""From an induction to data. This file is trusted."""
+"""Translation of an Induction into the statement that the kernel checks. This file is trusted."""
 
 from collections.abc import Sequence
 

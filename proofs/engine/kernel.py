@@ -1,4 +1,4 @@
-"""The kernel decides whether a certificate proves a statement, by exact rational arithmetic and nothing else.
+"""The kernel: it decides whether a certificate proves a statement, by exact rational arithmetic and nothing else.
 
 Trust this file and the translation of formulas into statements (`proofs.engine.statement`; `certificate` has the
 format). A polynomial is {monomial: coefficient}, a monomial the sorted tuple of its names: 2x²y is {("x", "x", "y"):

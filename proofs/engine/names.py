@@ -13,7 +13,7 @@ NAME = re.compile(rf"(?!(?:{TAKEN})$)[A-Za-z][A-Za-z0-9_]*", re.ASCII)
 
 
 def plain(symbols: Iterable[Symbol], *kinds: str) -> None:
-    """Raise Untranslatable unless every symbol is real, or of such a kind, no more, and has a name of its own."""
+    """Raise Untranslatable unless every symbol is assumed real and nothing more, and no two have one name."""
     taken = set()
     for symbol in sorted(symbols, key=str):
         if not NAME.fullmatch(symbol.name):

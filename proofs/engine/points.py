@@ -67,7 +67,7 @@ def find_point(statement: dict) -> dict[str, str] | None:
 
 
 def _attempt(names, facts, rng, pool):
-    """Return values of all names: solved for where an equation allows it, the others at random."""
+    """Return values of all names, by equations where these can be solved, else at random."""
     values, new = {}, {}
     numbers = {name: kernel.variable(name) for name in names}
     while True:
@@ -85,7 +85,7 @@ def _attempt(names, facts, rng, pool):
 
 
 def _chosen(name, facts, rng, pool):
-    """Return a value of a name, with which the facts about it alone hold where one of some is such a value."""
+    """Return {name: a simple number} by which the facts about the name alone hold, or else the last one tried."""
     alone = [(p, kernel.HOLDS[r]) for p, r in facts if r != "=" and set(_names(p)) == {name}]
     for _ in range(PICKS):
         value = {name: kernel.multiply(_simple(rng, pool))}

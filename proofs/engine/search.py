@@ -83,7 +83,7 @@ def _contradiction(goal, facts, values, names, ideal, squares, effort):
 
 
 def _monomials(p, facts):
-    """Return candidates for squares: the names of p, their sums and differences."""
+    """Return candidates whose squares are tried: the names of p, their sums and differences."""
     names = sorted({name for monomial in p for name in monomial})[:6]
     single = [({n: "1"}, kernel.variable(n)) for n in names]
     pairs = [

@@ -1,4 +1,4 @@
-"""From SymPy to data: the translation of a claim into statements that the kernel checks. This file is trusted.
+"""Translation of a claim, in SymPy, into statements, data that the kernel checks. This file is trusted.
 
 The rules (`proofs.engine.certificate` has the format). Symbols are plain real ones: a sign, a range, being whole is a
 hypothesis. Both sides of a relation are translated as they stand, the factors of a product that is shown as names
@@ -52,7 +52,7 @@ ANY = {-1, 0, 1}
 
 
 class _Undecided(Untranslatable):
-    """A condition is neither given nor chosen yet."""
+    """The error that a condition is neither given nor chosen yet."""
 
 
 def _expanded(expression):
@@ -102,7 +102,7 @@ class Translation:
         self.denominators = denominators_of(angles_in(expressions))
 
     def introduce(self, kind: str, symbol: Symbol, of: Expr) -> None:
-        """Add the step that makes a new symbol of a polynomial: a "root", an "inverse", or what abbreviates it."""
+        """Add the step that gives a polynomial's "root", its "inverse", or itself a new symbol."""
         self._add({"step": kind, "new": symbol.name, "of": polynomial_data(of)})
         if kind == "define":
             self.abbreviated[symbol] = self._written_out(of)
@@ -137,13 +137,13 @@ class Translation:
         return key, orientation, {orientation * s for s in known}
 
     def assume(self, difference: Expr, signs: set[int]) -> None:
-        """Add a given: the sign of `difference` is one of `signs`."""
+        """Add a hypothesis: the sign of `difference` is one of `signs`."""
         key, orientation, possible = self._known(difference)
         self.signs[key] = {orientation * s for s in possible & signs}
         self._add(_fact("assume", difference, signs))
 
     def show(self, difference: Expr, signs: set[int]) -> None:
-        """Add what is to be proved: the sign of `difference` is one of `signs`. The branches taken are shown, too."""
+        """Add a goal: the sign of `difference` is one of `signs`. Conditions of branches taken become goals, too."""
         fact = _fact("show", difference, signs)
         self.shown += 1
         if fact not in self.steps:
@@ -171,7 +171,7 @@ class Translation:
         return choice
 
     def _exceeds(self, left, right):
-        """Return whether left ≥ right, or False if it is known to be ≤ (where they are equal both answers do)."""
+        """Return whether left ≥ right; where they are equal either answer is right."""
         difference = self.polynomial(left) - self.polynomial(right)
         known_below = self._known(difference)[2] <= {-1, 0}
         return not self._decided(difference, {-1, 0}) if known_below else self._decided(difference, {0, 1})
@@ -265,7 +265,7 @@ class Translation:
         return next((s for s in (1, -1) if self._decided(difference, {s})), 0)
 
     def _beside(self, e):
-        """Return the value of a relation's Piecewise; at the edge of a condition all its values are shown to agree."""
+        """Return the value of a relation's Piecewise; at a condition's edge the goal is that all its values agree."""
         signs = []
         value = self.polynomial(branch(e, lambda f: signs.append(self._sign(self.polynomial(f))) or signs[-1]))
         if 0 in signs:
@@ -274,7 +274,7 @@ class Translation:
         return value
 
     def _derivative(self, e):
-        """Return the name of a derivative; what is differentiated has a value, and is written out."""
+        """Return the name of a derivative, whose expression is written out and shown to have a value."""
         if lines := symbols_of([e]) & self.lines:
             raise Untranslatable(f"{e} is of what a line defines: {', '.join(sorted(map(str, lines)))}")
         value = self.polynomial(inner(e, self._side))
@@ -294,7 +294,7 @@ class Translation:
         return factor * of
 
     def turned(self, angle: Expr) -> tuple[Expr, Expr]:
-        """Return (cos, sin) of an angle, by the addition formulas."""
+        """Return (cos, sin) of an angle as polynomials, by the addition formulas."""
         c, s = S.One, S.Zero
         for times, part, known in parts_of(angle, self.denominators):
             d, t = map(self.polynomial, known) if known else self.circle(part)
@@ -337,7 +337,7 @@ def cases_of(claim: Claim) -> list[tuple[dict, set[int]]]:
 
 
 def _case(claim, choices):
-    """Return the statement of one case of a claim. What is given comes as soon as its names are defined."""
+    """Return the statement of one case of a claim. Each hypothesis stands where its names have just been defined."""
     pending = [*((given, ()) for given in claim.given), *((lemma.relation, lemma.given) for lemma in claim.cited)]
     plain(symbols_of(flat((claim.shows, pending, claim.everywhere()))))
     _, lines = claim.names()

@@ -20,7 +20,7 @@ FOLDER = PROJECT.certificates
 
 
 class Stale(ValueError):
-    """A stored certificate is missing, or belongs to an older statement."""
+    """The error that a stored certificate is missing, or belongs to an older statement."""
 
 
 def show_polynomial(p: dict) -> str:
@@ -63,7 +63,7 @@ def _statements(claim):
 def each_shown(claim: AnyClaim) -> list[dict]:
     """Return the derivations of a Claim's conclusions, one each.
 
-    A lemma that the claim cites is left out: where its conditions fail, the claim need not.
+    A cited lemma is left out: a point need not meet its conditions to be a counterexample of the claim.
     """
     shows = claim.shows if isinstance(claim, Claim) else ()
     return [s for shown in shows for s in statements(claim.but(cited=(), shows=shown))]

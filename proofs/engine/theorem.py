@@ -32,8 +32,8 @@ class Step(Parts):
 class Pinned:
     """A theorem ID__NAME that Coq proves from a file written by hand: the digest of its text, as it was read.
 
-    The text is as Coq prints it, with every definition by hand that it names (`verify.coq.recorded`). Where that is
-    another one, or Coq refutes no false variant of it, ID__NAME__false, what pins it fails.
+    The text is Coq's print, with every definition by hand that it names (`verify.coq.recorded`). A theorem that pins it
+    fails where the text has changed, or where Coq has refuted no false variant of it, ID__NAME__false.
     """
 
     name: str
@@ -41,7 +41,7 @@ class Pinned:
 
 
 def coq(*pinned: str) -> tuple[Pinned, ...]:
-    """Return what is Pinned by texts of a name and its digest.
+    """Return a Pinned for each text "NAME DIGEST".
 
     >>> from proofs.theorems.language import coq
     >>> coq("binades__tie e5e620cbf1c26408")[0].name
@@ -52,7 +52,7 @@ def coq(*pinned: str) -> tuple[Pinned, ...]:
 
 @dataclass(frozen=True)
 class Clause(Parts):
-    """A part of a statement, as the reader sees it, and what says it: claims, or what is Pinned."""
+    """A part of a statement, as the reader sees it, and the claims, or the Pinned of Coq's, that state it."""
 
     text: str
     claims: Some = ()
@@ -190,7 +190,7 @@ class Theorem(Parts):
 
     @property
     def clauses(self) -> tuple[Clause, ...]:
-        """The statement's clauses: a text is one clause, which all the claims say."""
+        """The statement's clauses: a text is one clause, stated by all the claims."""
         if isinstance(self.statement, str):
             return (Clause(self.statement, self.claims),)
         return self.statement
@@ -211,7 +211,7 @@ class Theorem(Parts):
 
     @property
     def pinned(self) -> tuple[Pinned, ...]:
-        """The theorems of Coq's that clauses name."""
+        """The Pinned theorems of Coq's that clauses name."""
         return tuple(dict.fromkeys(claim for claim in self._named if isinstance(claim, Pinned)))
 
     def claim(self, name: str) -> AnyClaim:

@@ -1,4 +1,4 @@
-"""Programs as Coq definitions over its real numbers: a module, each line a function of the names that it reads."""
+"""Printer of programs as Coq's definitions over real numbers: a module, each line a function of the names it reads."""
 
 import re
 import textwrap
@@ -26,8 +26,8 @@ COMPARISONS = {
 class CoqPrinter(KernelPrinter):
     """A printer of an expression as a term of Coq's real numbers.
 
-    A symbol that may be infinite (a hit that is missed) is of Coquelicot's type Rbar; where it is computed with, its
-    real part is taken.
+    A symbol that may be infinite (the distance of a missed hit) is of Coquelicot's type Rbar; operations take its real
+    part.
     """
 
     names: ClassVar = {function.made.__name__: function.coq for function in FUNCTIONS if function.coq}
@@ -136,7 +136,7 @@ def module_of(program: Program) -> str:
 
 
 def in_module(name: str, inside: Iterable[str]) -> str:
-    """Return definitions as a Coq module, with a tactic that puts them in their place, the last one first."""
+    """Return definitions as a Coq module, with a tactic that unfolds them, the last one first."""
     lines = [*inside]
     defined = ", ".join(line.split()[1] for line in reversed(lines) if line.startswith("Definition"))
     unfolded = f"Ltac lines := unfold {defined}."

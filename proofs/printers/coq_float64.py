@@ -1,4 +1,4 @@
-"""The float64 operations of kernels, and of the machine that counts roundings, as Coq definitions.
+"""Printer of float64's operations as Coq definitions: those of kernels, and of the machine that counts roundings.
 
 Both are run on numbers that record each operation as text: the text of a result is the expression that computed it.
 """
@@ -13,7 +13,7 @@ from proofs.printers.python import KernelPrinter, function_of
 
 
 def literal(number: float) -> str:
-    """Return a float64 as a term of Coq's real numbers, to the last bit; infinity and NaN, which are none, by 0."""
+    """Return a float64 as a term of Coq's real numbers, to the last bit; 0 for infinity and NaN, which are no reals."""
     if not math.isfinite(number):
         return "real p_infty"
     mantissa, exponent = math.frexp(abs(number))
@@ -37,7 +37,7 @@ def applied(name: str, *arguments: Any) -> str:
 
 
 class Decision:
-    """The condition of a selection: Coq's decision of it, or of its negation."""
+    """A condition, as the text of Coq's decision of it or of its negation."""
 
     def __init__(self, text: str, negated: bool = False):
         self.text, self.negated = text, negated

@@ -1,4 +1,4 @@
-"""Claims as propositions for Coq to prove.
+"""Printer of claims as propositions for Coq to prove.
 
     Definition ID__CLAIM : Prop := forall symbols, let lines in hypotheses -> needs and conclusions.
 
@@ -108,7 +108,7 @@ class StatementPrinter(CoqPrinter):
         return radicand + ([] if positive or exponent > 0 else [f"{self._print(base)} <> 0"])
 
     def _needs_of_cases(self, cases):
-        """Return the needs of cases: each case is reached, and needs something, where no earlier condition holds."""
+        """Return the needs of a Piecewise's cases: those of a case hold where no earlier condition does."""
         conditions, before = [], []
         for value, condition in cases.args:
             asked = [] if condition == true else self.needs(condition)
@@ -157,7 +157,7 @@ def claim_proposition(claim: Claim, refuted: bool = False) -> str:
 
 
 def induction_proposition(claim: Induction) -> str:
-    """Return an Induction as a proposition: its states are any sequences that start and go on as it says."""
+    """Return an Induction as a proposition about all sequences that start and continue as its states do."""
     states = [(state, sympify(start), sympify(following)) for state, start, following in claim.states]
     expressions = (*claim.given, *claim.shows, *(e for state in states for e in state))
     symbols = _symbols([*expressions, claim.n])
@@ -198,7 +198,7 @@ SLACK = "(1 + 1 / 2 ^ 49)"
 
 
 def enclosing_proposition(claim: Encloses) -> str:
-    """Return an Encloses as a proposition: whatever is within its count, by a slack, the result is within its own."""
+    """Return an Encloses as a proposition: where inputs are within their counts of roundings, the result is, too."""
     program = claim.program
     names = [s.name for s in program.inputs]
     exact = {s: f"{s.name}_exact" for s in program.inputs}

@@ -1,4 +1,4 @@
-"""Expressions for any kind of number, such as mpmath's or balls, by a table of the names that it calls."""
+"""Printer of expressions for any kind of number, such as mpmath's or balls: its text calls the names of a table."""
 
 from sympy import Rational, S
 
@@ -8,7 +8,7 @@ from proofs.printers.python import KernelPrinter
 class NumberPrinter(KernelPrinter):
     """A printer for any kind of number: literals, comparisons and choices are calls, a symbol is looked up by its name.
 
-    Of a choice the side that is not taken is not computed.
+    A choice computes the side that is taken, and not the other.
     """
 
     def literal(self, rational: Rational) -> str:

@@ -1,4 +1,4 @@
-"""Straight-line programs as Python functions, for NumPy's arrays, traced values (LLVM) and numbers that count.
+"""Printer of programs as Python functions, for NumPy's arrays, traced values (LLVM) and numbers that count.
 
 The printed text fixes the operations and their order, so that all machines agree to the last bit: integers as floats,
 whole powers as products, x^−1 as a division, x^±½ by sqrt, exact rationals that float64 holds as one literal.
@@ -98,12 +98,12 @@ class KernelPrinter(StrPrinter):
     _print_Min = _print_Max
 
     def _print_sign(self, expr):
-        """Return a product's sign as the product of the signs, which does not underflow."""
+        """Return the text of a product's sign: the product of its factors' signs, as the product may underflow."""
         text = " * ".join(self._call("sign", [factor]) for factor in Mul.make_args(expr.args[0]))
         return f"({text})" if expr.args[0].is_Mul else text
 
     def _half_turn(self, name, argument):
-        """Carry a sum of products of symbols in two parts."""
+        """Return the text of sinpi or cospi of a sum of products, which is computed in two parts to lose nothing."""
         parts = []
         for term in self._as_ordered_terms(argument):
             coefficient, factors = term.as_coeff_mul()
@@ -170,7 +170,7 @@ def print_function(name: str, program: Program, printer: KernelPrinter, before: 
 def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
-    names: those that the printed text may call.
+    names: {name: function} of all that the printed text may call.
     """
     scope = dict(names)
     exec(print_function(program.name, program, KernelPrinter()), scope)
@@ -178,7 +178,7 @@ def function_of(program: Program, names: Mapping[str, Any]) -> Callable:
 
 
 def refuse_unknown_calls(scope: dict[str, Any]) -> None:
-    """Raise ValueError where a function that was made in the scope calls a name that is not there."""
+    """Raise ValueError where a function that was made in the scope calls a name that the scope lacks."""
     for kernel in (f for f in scope.values() if isfunction(f) and f.__globals__ is scope):
         if unknown := {*kernel.__code__.co_names} - scope.keys() - {*dir(builtins)}:
             raise ValueError(f"{kernel.__name__} is not allowed: it calls {', '.join(unknown)}, which no kernel has")

@@ -1,4 +1,4 @@
-"""Claims as mathematics, in TeX, from the object that the kernel checks: its lines, hypotheses and conclusions."""
+"""Printer of claims as TeX, from the object that the kernel checks: its lines, hypotheses and conclusions."""
 
 import re
 from collections.abc import Iterator, Mapping

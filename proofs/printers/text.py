@@ -71,7 +71,7 @@ class _Reader:
         self.choices, self.inside = 0, 0  # how many there are; in how many the present node lies
 
     def refused(self, why: str) -> ValueError:
-        """Return the error that says so of the text, of which it shows the beginning."""
+        """Return the ValueError that refuses the text; it quotes the text's beginning."""
         return not_allowed("expression", self.text if len(self.text) < 80 else f"{self.text[:60]}...", why)
 
     def expression(self) -> Expr:
@@ -153,7 +153,7 @@ class _Reader:
 
     @contextmanager
     def choice(self, parts: int) -> Iterator[None]:
-        """Count a choice of so many parts around those that are read within. Raises ValueError above MOST_CHOICES."""
+        """Enter a choice of so many parts: nested choices multiply. Raises ValueError above MOST_CHOICES."""
         self.choices += max(1, parts * (parts - 1)) * 2**self.inside
         if self.choices > MOST_CHOICES:
             raise self.refused(f"it has too many choices by {', '.join(_CHOICES)}, some inside others")
@@ -206,7 +206,7 @@ class _Writer(StrPrinter):
 
 @cache
 def _operations(expression: Basic) -> int:
-    """Return about how many operations a kernel has for an expression: a whole power is printed as a product."""
+    """Return about how many operations a kernel needs for an expression; a whole power counts as its products."""
     if expression.is_Pow and expression.exp.is_Integer:
         return abs(int(expression.exp)) * (1 + _operations(expression.base))
     return sum(map(_operations, expression.args)) + (OF_A_FUNCTION if isinstance(expression, Function) else 1)

@@ -30,7 +30,7 @@ TIFF, LINEAR = (".tif", ".tiff"), ("float32", "float64")
 PICTURE_SUFFIXES = (".png", *TIFF, ".npz", ".npy")
 SIGNATURE, PAETH, COLOUR_TYPES = b"\x89PNG\r\n\x1a\n", 4, {1: 0, 3: 2, 4: 6}  # as the PNG specification numbers them
 KEYWORD = b"symbolic-rendering"
-BYTES = 64  # that are filtered together
+BYTES = 64  # filtered together
 BAND = 2**19  # bytes that are filtered and deflated, or stored, at a time
 RUNS = {"level": 1, "strategy": zlib.Z_RLE}
 QUICK, SEARCH, DEEP = ({"level": level} for level in (3, 5, 7))
@@ -68,10 +68,10 @@ def _deflate(data, way):
 
 
 def _way(lines):
-    """Return how a band is deflated, as a sample of it says.
+    """Return zlib's settings for a band, by a sample of it: runs of equal bytes alone, or a search for repeats too.
 
-    Paeth's filter leaves so little that runs alone are nearly as short as the result of a quick search, in less time.
-    Where it finds less, a longer search is worth its time.
+    After Paeth's filter runs alone are mostly nearly as short, and quicker. The search is deep where a quick one leaves
+    less than a quarter of the runs' length.
     """
     sample = lines.reshape(-1)[lines.size // 2 :][:SAMPLE]
     runs, search = (len(_deflate(sample, way)) for way in (RUNS, QUICK))

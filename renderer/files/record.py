@@ -22,7 +22,7 @@ NAMES = {"version", "machine", "width", "height", "crop", "gradient", "scene"}
 
 
 def text_of(shot: Shot) -> str:
-    """Return the record, ASCII; nothing where a field or a model of one's own has no text."""
+    """Return the record, ASCII; "" where a custom field has no text."""
     from renderer.version import __version__  # which takes a while where it is installed
 
     try:

@@ -1,5 +1,5 @@
 """Kernels from `proofs/`, which nothing else of the renderer imports, nor SymPy.
 
-`programs` says which there are, `kernels` prints their file, `float64` has them printed for Coq; `reader` reads the
-formula of a custom field, `custom_printer` prints its kernels, `custom_fields` makes, checks and records it.
+Registry: `programs`, of the chapter's kernels; `custom_fields` makes, checks and records those of custom fields.
+Printers: `kernels` of the file, `custom_printer` of a custom field's kernels, `float64` for Coq. Reader: `reader`.
 """

@@ -1,4 +1,4 @@
-"""Write what is printed from the formulas:  python -m renderer.generate"""
+"""Writer of all files that are printed from the formulas:  python -m renderer.generate"""
 
 import argparse
 import subprocess

@@ -1,6 +1,6 @@
 """Custom height fields: their kernels, printed in memory at run time as kernels.py is.
 
-They alone let SymPy and the proofs be imported where something is drawn.
+Drawing imports SymPy and the proofs only for such a field.
 """
 
 import re
@@ -84,7 +84,7 @@ class HeightField(height_fields.HeightField):
 
 
 def _symbol(name):
-    """Return the symbol of a parameter. Raises ValueError on a name that is another's."""
+    """Return the symbol of a parameter. Raises ValueError on a name that is taken, such as u or pi."""
     if name in {*NAMES, "pi"} or not re.fullmatch("[a-z][a-z_]*", name):
         raise not_allowed("parameter", name, f"a name of small letters, but {', '.join(NAMES)}, pi")
     return Symbol(name, real=True)
@@ -138,7 +138,7 @@ def as_record(field: HeightField) -> dict[str, Any]:
 
 @cache
 def _text_of(field):
-    """Return the text of a field's expression. Raises ValueError where none is read as it."""
+    """Return a text that is read as the field's expression. Raises ValueError where there is none."""
     check_operations("field", field.name, [field.expression, *field.gradient()])
     names = {name: _symbol(name) for name, _ in getattr(field, "parameters", ())}
     return expression_text(getattr(field, "form", field.expression), names=OF_FIELDS | names)

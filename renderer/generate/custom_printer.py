@@ -1,4 +1,4 @@
-"""Kernels of custom fields, whose constants have bounds: each is a float64, and how far off it is."""
+"""Printer of custom fields' kernels: a constant is the float64 nearest to it, with a bound of how far that is off."""
 
 import math
 from collections.abc import Callable
@@ -59,7 +59,7 @@ def made(source: str) -> dict[str, Any]:
 
 
 def exact_waves(field: HeightField) -> Callable[[float, float], list[float]]:
-    """Return the function (k_u, k_v) → the wave numbers, NaN where they are no float64: rounded, they are another's."""
+    """Return the function (k_u, k_v) → the wave numbers, NaN where float64 does not hold them exactly."""
 
     @cache
     def waves(*at):

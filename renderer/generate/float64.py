@@ -1,4 +1,4 @@
-"""The text for Coq of the operations that our machines carry out."""
+"""Printer for Coq: the text of `proofs/formal/Float64.v`, the operations that our machines carry out."""
 
 from proofs import coq_files
 

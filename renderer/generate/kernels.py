@@ -1,4 +1,4 @@
-"""The text of `renderer/kernels.py`: every program that drawing needs, as a plain Python function."""
+"""Printer of `renderer/kernels.py`: every program that drawing needs, as a plain Python function."""
 
 import textwrap
 from collections.abc import Callable, Mapping
@@ -44,8 +44,8 @@ from renderer.operations import (
 def function_of(program: Program, names: Mapping[str, Any] | None = None) -> Callable:
     """Return a program as a Python function of its inputs, in order, that returns its outputs.
 
-    Without more it computes what a kernel does, to the last bit, on float64 numbers and arrays or traced values.
-    names: what the printed text may call instead.
+    By default it has a kernel's bits, on float64 numbers and arrays or traced values. names: the functions that the
+    printed text calls, by name, in place of those of `renderer.operations`.
     """
     from renderer import kernels  # not above: they may be what is about to be printed
 
@@ -66,7 +66,7 @@ def field_entry(field: HeightField) -> str:
 
 
 def kernels_source() -> str:
-    """Return the text of renderer/kernels.py. Raises ValueError where a kernel would call what there is none of."""
+    """Return the text of renderer/kernels.py. Raises ValueError where a kernel would call an unknown function."""
     printer, fields = KernelPrinter(), HEIGHT_FIELDS.values()
     parts = [
         "@elementary\n" * (name in programs.ELEMENTARY) + print_function(name, program, printer)

@@ -1,4 +1,4 @@
-"""The programs of `proofs/` that become kernels, by name."""
+"""Registry of the programs of `proofs/` that become kernels, by name."""
 
 from functools import cache
 
@@ -87,7 +87,7 @@ def differences() -> dict[str, Program]:
 
 
 def difference_of(method: str, field: HeightField) -> str:
-    """Return the name of a field's difference: where h does not depend on u, there is none in u."""
+    """Return the name of a field's difference: that in v alone where h does not depend on u."""
     return method if field.depends_on_u else f"{method}_in_v"
 
 
@@ -99,7 +99,7 @@ def height_evaluations(method: str, field: HeightField) -> int:
 
 @cache
 def field_programs(field: HeightField) -> dict[str, Program]:
-    """Return {role: program} of a height field: height, exact gradient, creases, and those of its algebraic form."""
+    """Return {role: program} of a height field: its height, exact gradient, creases, and algebraic form."""
     programs = {
         "height": height_fields.height(field),
         "gradient": height_fields.gradient(field),

@@ -1,4 +1,4 @@
-"""Formulas of custom fields as people write them, in SymPy or as text, and the inverse."""
+"""Reader of custom fields' formulas as people write them, in SymPy or as text, and the inverse."""
 
 from collections.abc import Mapping
 from functools import partial

@@ -42,7 +42,7 @@ def machine() -> ModuleType:
 def at_points(kernel: Callable, *inputs: Any) -> list[np.ndarray]:
     """Return what a kernel gives at each of some points, an array for each output: the same bits by any machine.
 
-    inputs: arrays (points,) of float64, or one number for all. So few that compiling would take longer are NumPy's.
+    inputs: arrays (points,) of float64, or one number for all. NumPy takes few points, as compiling would take longer.
     """
     if np.broadcast(*inputs).size >= FEW_POINTS:
         return machine().over_points(kernel, *inputs)

@@ -1,12 +1,12 @@
-"""The numbers of a machine around a machine: each is one of the inner machine's and its slopes, by numbers of a scene.
+"""Numbers with slopes, of a machine around another one: a number of the inner machine, and its slopes by a scene's.
 
 The machine is `renderer.machines.differentiating_machine`.
 
 The inner machine's values stay as they are, to the last bit. It may be the enclosing machine: then each slope has a
 bound. A slope that is the float 0.0 is 0 wherever the number is, and costs nothing; a number without slopes has none.
 
-Where a selection jumps the slope is that of the side that is computed. With bounds, those of both sides lie within the
-bound where the mask is open, and where what is compared is exactly equal and the slopes are not: a tie.
+Where a selection jumps, the slope is that of the selected side. With bounds, the slopes of both sides lie within the
+bound where the mask is open, and at a tie: where the compared numbers are exactly equal, and their slopes are not.
 """
 
 import math
@@ -39,12 +39,13 @@ def _joined(join):
 
 
 class Mask:
-    """A condition of numbers, as the inner machine has it, and for each slope where there is a tie, or None."""
+    """A condition of numbers: the inner machine's, and for each slope a mask of where there is a tie, or None."""
 
     def __init__(self, inner: Any, ties: tuple = ()):
         self.inner, self.ties = inner, ties
 
-    __and__, __or__ = map(_joined, (operator.and_, operator.or_))
+    __and__ = _joined(operator.and_)
+    __or__ = _joined(operator.or_)
 
     def __invert__(self):
         return Mask(~self.inner, self.ties)
@@ -58,7 +59,7 @@ class Mask:
 
 
 def _ties(a, b):
-    """Return for each slope where two numbers are exactly equal, and this slope of theirs is not; without bounds ()."""
+    """Return for each slope where two numbers tie: they are exactly equal, and the slope is not. Without bounds ()."""
     if not any(isinstance(number.value, Enclosed) for number in (a, b)):
         return ()
     equal = enclosed(a.value).value == enclosed(b.value).value
@@ -88,7 +89,7 @@ class Sloped:
 
     @classmethod
     def of(cls, number: Any) -> "Sloped":
-        """Return a number that does not move as Sloped, if it is not one."""
+        """Return a number as Sloped: a constant, unless it is one already."""
         return number if isinstance(number, Sloped) else cls(number)
 
     def __add__(self, other):
@@ -145,38 +146,41 @@ def where(mask: Mask, value: Any, otherwise: Any) -> Sloped:
 
 
 def floor(a: Sloped) -> Sloped:
-    """Return ⌊a⌋, which does not move but where it jumps."""
+    """Return ⌊a⌋, whose slope is 0 except at its jumps."""
     return Sloped(operations.floor(a.value))
 
 
 def rint(a: Sloped) -> Sloped:
-    """Return the whole number nearest to a, likewise."""
+    """Return the whole number nearest to a, whose slope is 0 except at its jumps."""
     return Sloped(operations.rint(a.value))
 
 
 def sign(a: Any) -> Sloped:
-    """Return −1, 0 or 1, likewise; with bounds, that of a slope is infinite where an exact 0 is crossed."""
+    """Return −1, 0 or 1, with slope 0; with bounds, the slope's bound is infinite where a crosses an exact 0."""
     a = sloped(a)
     jumps = (0.0 if tie is None else Enclosed(0.0, inner_where(tie, math.inf, 0.0)) for tie in _ties(a, Sloped(0.0)))
     return Sloped(operations.sign(a.value), tuple(jumps))
 
 
 def two_product(a: Any, b: Any) -> tuple[Sloped, Sloped]:
-    """Return a product in two parts, of which the first has the slopes."""
+    """Return a product in two parts, value and rounding error; the first has the slopes."""
     a, b = sloped(a), sloped(b)
     product, rest = kernels.two_product(a.value, b.value)
     return Sloped(product, a.product_slopes(b)), Sloped(rest)
 
 
 def add_half_turns(a: Any, b: Any) -> tuple[Sloped, Sloped]:
-    """Return a sum of half-turns in two parts likewise."""
+    """Return a sum of half-turns in two parts, value and rounding error; the first has the slopes."""
     a, b = sloped(a), sloped(b)
     total, lost = operations.add_half_turns(a.value, b.value)
     return Sloped(total, _sum(a.slopes, b.slopes)), Sloped(lost)
 
 
 def _function(kernel: Callable, slope: Callable) -> Callable[..., Sloped]:
-    """Return a function of a number that may come in two parts; slope: its own, of its value and the parts'."""
+    """Return a function of a number that may come in two parts.
+
+    slope: (the function's value, the parts' values) → its derivative.
+    """
 
     def function(number: Any, *rest: Any) -> Sloped:
         parts = [part.value for part in map(sloped, (number, *rest))]
@@ -215,7 +219,7 @@ def power(number: Any, exponent: Any) -> Sloped:
 
 
 def of_whole_power(result: Sloped, base: Any, exponent: Any) -> Sloped:
-    """Return a power, with its slopes by the exponent too."""
+    """Return a power that repeated squaring gave, with its slope by the exponent added."""
     exponent, a = sloped(exponent), sloped(base).value
     moved = exponent.slopes and inner_where(a > 0.0, result.value * kernels.log(a), 0.0)
     return Sloped(result.value, _sum(result.slopes, _scaled(moved, exponent.slopes)))

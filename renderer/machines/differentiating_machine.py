@@ -83,11 +83,11 @@ class Pixels:
         self._parts, self._pixels, self.x, self.y = machine.parts, pixels, x, y
 
     def load(self, name: str) -> Sloped:
-        """Return a plane's numbers, which are taken for ones that do not move."""
+        """Return a plane's numbers, as constants: their slopes are 0."""
         return Sloped(self._pixels.load(name))
 
     def store(self, name: str, number: Any) -> None:
-        """Write a plane's numbers, and of colours their slopes."""
+        """Write a plane's numbers; of a colour also its slopes, to the planes that have them."""
         value, *slopes = self._parts(number)
         self._pixels.store(name, value)
         for place, slope in enumerate(slopes if name in COLORS else ()):

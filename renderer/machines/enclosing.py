@@ -1,4 +1,4 @@
-"""The numbers of a machine around a machine: each is one of the inner machine's and a bound on how far that is off.
+"""Numbers with bounds, of a machine around another one: a number of the inner machine, and how far it may be off.
 
 The machine is `renderer.machines.enclosing_machine`.
 
@@ -46,7 +46,7 @@ def _scales(number):
 
 
 def _least(*factors):
-    """Return the loss below the normal range: none where a factor is an exact 0 that is to stay one."""
+    """Return the count that bounds a product's underflow: 0 where a factor is an exact 0 that is to stay exact."""
     least = LEAST_COUNT
     for factor in factors:
         if type(factor.value) is float:
@@ -138,7 +138,7 @@ class Enclosed(Bounded):
 
     @classmethod
     def of(cls, number: Any) -> "Enclosed":
-        """Return a number that is exact, but a constant that is none, as Enclosed, if it is not one."""
+        """Return a number as Enclosed, unless it is one: exact, or a Constant with the error of its rounding."""
         if isinstance(number, Enclosed):
             return number
         if isinstance(number, Constant):
@@ -148,7 +148,10 @@ class Enclosed(Bounded):
 
     @classmethod
     def rounded(cls, value: Any, moved: Any, lost: tuple[Any, bool]) -> "Enclosed":
-        """Return a result that is moved so far; lost: by its own rounding, and whether it stays exact."""
+        """Return a result whose operands' errors move it by so much.
+
+        lost: (the bound of its own rounding, whether it stays exact).
+        """
         rounding, stays_exact = lost
         return cls.counted(value, plus(moved, rounding), stays_exact)
 
@@ -161,7 +164,7 @@ class Enclosed(Bounded):
         return abs((self.value - (total - part)) + (other.value - part)) * (1.0 / UNIT), stays_exact
 
     def lost_in_product(self, other: "Enclosed", product: Any) -> tuple[Any, bool]:
-        """Return the same of a product: with a literal power of two it is 0 above the subnormal range."""
+        """Return a bound of a product's rounding error: 0 by a literal power of two, above the subnormal range."""
         stays_exact = self.stays_exact or other.stays_exact
         for literal, scaled in ((self, other), (other, self)):
             if _scales(literal):
@@ -172,7 +175,7 @@ class Enclosed(Bounded):
         return plus(abs(product), _least(self, other)), stays_exact
 
     def size_of_quotient(self, quotient: Any) -> Any:
-        """Return at least the size of the number's quotient before it is rounded."""
+        """Return a bound of a quotient's size before it was rounded."""
         return plus(abs(quotient), _least(self))
 
     def lost_in_quotient(self, size: Any) -> tuple[Any, bool]:
@@ -212,7 +215,7 @@ def _ends(number):
 
 
 def _rarely(mask, value, otherwise):
-    """Return `value()` where a mask holds; it is called for no group for which it holds nowhere."""
+    """Return `value()` where a mask holds; it is not called for a group in which the mask holds nowhere."""
     machine = getattr(mask, "machine", None)
     if machine is None:
         return inner_where(mask, value(), otherwise)
@@ -245,7 +248,7 @@ def sqrt(number: Enclosed) -> Enclosed:
 
 
 def _integer(number, integer, away):
-    """Return an integer with its bound: it may be the next one where a jump, so far `away`, is within the bound."""
+    """Return an integer with its bound: ⌊the argument's⌋, and 1 more where that reaches a jump, which is `away`."""
     if is_zero(number.error):
         return Enclosed(integer, stays_exact=True)
     reaches = (away <= number.bound * SLACK) & (number.error > 0.0)
@@ -266,7 +269,7 @@ def rint(number: Enclosed) -> Enclosed:
 
 
 def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
-    """Return a product in two parts, for sinpi and cospi: they lose nothing of it, unless it vanishes."""
+    """Return a product in two parts, for sinpi and cospi: their sum is exact, unless it underflows."""
     a, b = enclosed(a), enclosed(b)
     product, rest = kernels.two_product(a.value, b.value)
     stays_exact, lost = a.stays_exact or b.stays_exact, 0.0
@@ -276,7 +279,7 @@ def two_product(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
 
 
 def add_half_turns(a: Any, b: Any) -> tuple[Enclosed, Enclosed]:
-    """Return a sum of half-turns in two parts likewise."""
+    """Return a sum of half-turns in two parts, for sinpi and cospi: the second is the first's rounding error."""
     a, b = enclosed(a), enclosed(b)
     total, lost = operations.add_half_turns(a.value, b.value)
     return Enclosed.counted(total, plus(a.error, b.error), a.stays_exact and b.stays_exact), Enclosed(lost, 0.0, True)
@@ -288,7 +291,7 @@ def _of_half_turns(kernel: Any, turns: Any, rest: Any = 0.0) -> Enclosed:
     moved = times(ROUNDING, plus(turns.error, rest.error))
     result = kernel(turns.value, rest.value)
     rounding = kernels.ROUNDINGS[kernel.__name__] * UNIT * abs(result) + LEAST
-    if turns.stays_exact:  # what the parts lose is counted: 0 is no smaller number
+    if turns.stays_exact:  # a result 0 is exact: underflow of the parts is counted in their errors
         rounding = inner_where(result == 0.0, 0.0, rounding)
     if is_zero(moved):
         return Enclosed(result, rounding * SLACK)
@@ -303,7 +306,7 @@ cospi = partial(_of_half_turns, kernels.cospi)
 def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
     """Return atan2(y, x)/π. The angle moves by arcsin s, s = (|x| Δy + |y| Δx)/r(r − Δx − Δy), below 1/4 within 1.02 s.
 
-    Where the bounds reach over the cut, y = 0 and x < 0, or s is no such number, it is anywhere. On an axis it is
+    Where the bounds reach over the cut, y = 0 and x < 0, or s is 1/4 or more, the angle may be any. On an axis it is
     exact.
     """
     y, x = enclosed(ordinate), enclosed(abscissa)
@@ -326,7 +329,7 @@ def atan2pi(ordinate: Any, abscissa: Any) -> Enclosed:
 
 
 def _monotone(kernel, roundings, result, arguments, vanishing=0.0):
-    """Return `result`: in each of its arguments the function rises or falls, so at some of their ends it is furthest.
+    """Return `result` with its bound: the function is monotone in each argument, so furthest at some ends of these.
 
     The roundings are charged at that end, and for `result` again: with SLACK an end may be off by up to 8 more.
     """

@@ -31,7 +31,7 @@ class Variable:
 
 
 class Enclosing:
-    """The machine around another one. It counts work by the masks as computed, not where they are open."""
+    """The machine around another one. It counts work where masks hold as computed, not also where they are open."""
 
     def __init__(self, inner: Any):
         self.inner, self._mask = inner, None
@@ -39,7 +39,7 @@ class Enclosing:
         at_work.set(self)
 
     def leave_open(self, where_: Any) -> None:
-        """Note that the side of a crease is open, for pixels for which the present steps may count; None: for none."""
+        """Note where the side of a crease is undecided, of the pixels that are being drawn; None: nowhere."""
         if where_ is not None:
             self.creases.set(1.0, where_ & self._mask)
 
@@ -108,15 +108,16 @@ class Pixels:
             decided = (number.bound < 0.5) & (self._machine.creases.value == 0.0)
             self._pixels.store("open", where(decided, 0.0, 1.0))
         elif f"{name}_bound" in self._planes:
-            bound, largest = (
-                number.bound,
-                1.0 if name in COLORS else math.inf,
-            )  # which a slope's is too where it is none
+            # a colour is clipped to [0, 1]; a slope that does not exist has no finite bound
+            bound, largest = number.bound, 1.0 if name in COLORS else math.inf
             self._pixels.store(f"{name}_bound", where(bound < largest, bound, largest))  # also where it is NaN
 
 
 def enclosed_group(group: Any, bounds: SimpleNamespace, x_bound: Any, y_bound: Any) -> Any:
-    """Return a group as the machine around its own one has it; bounds: of its scene's numbers, and of its pixels."""
+    """Return a group that draws the same pixels with bounds, on an enclosing machine around the group's own.
+
+    bounds: of the scene's numbers, by name. x_bound, y_bound: of the image points.
+    """
     machine, shader = Enclosing(group.machine), group.want.shader
     pixels = Pixels(machine, group.pixels, x_bound, y_bound, shader.planes)
     return shader.group(machine, enclosed_numbers(group.scene, bounds, shader.rounded), group.want, pixels)

@@ -13,11 +13,11 @@ Numbers = Sequence[Number]
 
 
 class Shader(NamedTuple):
-    """A shader, as machines run it: a want, which chooses the code, has it as `shader`, and has `bounds` and `is_long`.
+    """A shader, as machines run it. A want chooses its code; it has the shader as `shader`, and `bounds` and `is_long`.
 
     group: (machine, scene, want, pixels) → an object with `draw()`, and these as attributes. scene, light: the forms of
     their numbers. rounded: the names of a scene's numbers that are not exact. counted: the kinds of work. planes: the
-    names of the stored planes. around: group → that of a machine around its own, which is drawn.
+    names of the stored planes. around: group → the group that is drawn, on a machine around the group's own.
     """
 
     group: Callable
@@ -43,7 +43,7 @@ def of_form(form: SimpleNamespace, values: Iterable) -> SimpleNamespace:
 
 
 def path_of(name: str) -> list[str]:
-    """Return the parts of a number's name, such as lights[0].position[2]; of any other text a part that nothing has."""
+    """Return the parts of a number's name, such as lights[0].position[2]; of any other text [""], which nothing has."""
     return re.findall(r"\w+", name) if re.fullmatch(r"[a-z_]+(\[\d\](\.[a-z]+\[\d\])?)?", str(name)) else [""]
 
 

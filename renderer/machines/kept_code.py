@@ -1,8 +1,8 @@
-"""Compiled code, kept for other processes of the same user: in the user's cache, or where a variable says.
+"""Compiled code, kept for other processes of the same user, in the user's cache or another folder.
 
 SYMBOLIC_RENDERING_CODE names another folder, or is "off" (or empty) to keep nothing. Loading a file is running it, so
 the folder has to be the user's own and closed to others' writing. A file begins with a digest of its name and content:
-one that is empty, cut or of something else is compiled anew. Where nothing can be kept, nothing is, and no error told.
+code is compiled anew where it is empty, cut or another's. If the folder cannot be written, nothing is kept, silently.
 """
 
 import hashlib

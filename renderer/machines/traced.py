@@ -1,7 +1,7 @@
 """Traced values: the shader and its kernels run on them once, and every operator emits LLVM's instruction for a vector.
 
-Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only an operation with a literal 0 or 1
-is left out: 0·x, x + 0, 1·x, x/1, of which the sign of a zero may differ, and nothing else for a finite x.
+Neither fast-math nor contraction is allowed, so that the bits are NumPy's. Only operations with a literal 0 or 1 are
+left out: 0·x, x + 0, 1·x, x/1. For a finite x that changes at most the sign of a zero.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -151,7 +151,7 @@ class Tracer:
             self.builder.store(WHOLE(0), place)
 
     def _all(self, kind):
-        """Return the type of a group's numbers of a kind: of one lane, that of one number."""
+        """Return the type of a group's numbers of a kind: a vector, or with one lane the kind itself."""
         return ir.VectorType(kind, self.lanes) if self.lanes > 1 else kind
 
     def argument(self, number: int) -> ir.Value:

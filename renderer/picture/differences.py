@@ -45,7 +45,7 @@ def distance_from(
 ) -> Callable[[Frame], tuple[Interval, Interval]]:
     """Return the function from a frame of the raster to what `distance_on_a` returns.
 
-    bounded: those of the two frames that have bounds. What is taken from the reference is taken once.
+    bounded: those of the two frames that have bounds. The reference's pixels are gathered here, once for all frames.
     """
     undecided, within = np.zeros(reference.raster.shape, bool), np.zeros(3)
     for each in bounded:

@@ -1,4 +1,4 @@
-"""`render`, the way from a scene to a picture: from nothing, sphere A alone on a stage, or a mean of samples."""
+"""The way from a scene to a picture, `render`: drawn from nothing, A alone on a stage, or as a mean of samples."""
 
 from collections.abc import Iterable
 from functools import lru_cache, reduce

@@ -19,7 +19,7 @@ SEED_MODELS = ("blinn", "phong")
 def flips_everywhere(scene: Scene, width: int, height: int) -> tuple[int, int]:
     """Return (frames, flips): pixels whose chamber differs from the scene's own, over fields, β, ε, the seed's models.
 
-    A field of one's own is one of the fields.
+    A custom field of the scene is one of the fields.
     """
     chambers, flips = render(scene, width, height).chambers, []
     fields, steps = dict.fromkeys((*FIELDS, scene.field)), (1e-1, 1e-3, 1e-6, 1e-12)

@@ -161,7 +161,7 @@ class Frame:
     _repr_png_ = to_png  # which a notebook shows
 
     def _record(self):
-        """Return the text by which the picture can be drawn again."""
+        """Return the record, a text, from which `--again` draws the picture."""
         return text_of(self.shot)
 
     def save(self, path: str | Path, linear: str | None = None) -> None:
@@ -171,7 +171,7 @@ class Frame:
         numbers as `linear` says, "float32" or "float64". `.npy`: `rgb`, float64. `.npz`: `rgb`, `chambers`,
         `slope_arrays()` and `data_on_a`, whose numbers are those of the pixels where `chambers & 3` is 1, row by row. A
         `.png` and a `.npz` carry the scene, the method and the raster: `python -m renderer image --again FILE` draws
-        them again, unless a field of one's own has no text.
+        them again, unless a custom field has no text.
 
         Raises ValueError on another name, or one that cannot be written.
         """
@@ -272,7 +272,7 @@ class Frame:
 
     @property
     def chambers(self) -> np.ndarray:
-        """(height, width) uint8, read-only: every frame of the stage has the same."""
+        """(height, width) uint8, the codes that `Stage` defines; read-only, as all frames of the stage share them."""
         return self.stage.chambers
 
     @cached_property

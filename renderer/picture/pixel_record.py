@@ -85,7 +85,7 @@ def pixel(
 
 
 class _WrittenDown(Group):
-    """A group of one pixel whose point, normal and lights are kept."""
+    """A group of one pixel, run for its point, its normal and each light's part: its `record`."""
 
     def light_up(self, mask, place, albedo, bodies, upright=None):
         """Record each light's part, in place of adding it up."""
@@ -108,7 +108,7 @@ def _floats(numbers):
 @np.errstate(all="ignore")
 def _lit(frame):
     """Return the point, the normal and the lights of the one pixel of a frame."""
-    job = frame.stage.job(frame.shot, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
+    job = frame.stage.job(frame.shot.numbers, dict(zip(COLORS, np.empty((3, 1, 1)), strict=True)))
     ((model, style),) = frame.shot.want.lights
     want = frame.shot.want._replace(chambers_known=True, lights=((model, style.replace("diffuse", "base")),))
     if frame.scene.beta and not frame.shot.glows:  # the picture needs no slopes, and the normal that is recorded does

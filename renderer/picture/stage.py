@@ -14,7 +14,7 @@ import numpy as np
 
 from renderer.checks import not_allowed
 from renderer.machines import Job, compiling, machine
-from renderer.shader.numbers import Shot, numbers_of, reach_of_a, read_only
+from renderer.shader.numbers import Shot, reach_of_a, read_only
 from renderer.shader.shader import COLORS, WORK
 from renderer.threads import run_bands
 
@@ -111,11 +111,11 @@ class Stage:
         shape = len(self._y), len(self._x)
         return np.empty(shape, kind) if channels is None else lent((channels, *shape))
 
-    def job(self, shot: Shot, planes: Job, of_a: bool = False) -> Job:
-        """Return the Job of a drawing (`renderer.machines`): all columns, or those of each row that A may be in."""
-        numbers, lights = numbers_of(shot)
+    def job(self, numbers: tuple[np.ndarray, np.ndarray], planes: Job, of_a: bool = False) -> Job:
+        """Return the Job of a drawing (`renderer.machines`) by a shot's numbers, of all columns or of those with A."""
+        scene, lights = numbers
         raster_data = {"x": self._x, "y": self._y, "columns": self._columns_of_a if of_a else self._everywhere}
-        return raster_data | {"scene": numbers, "lights": lights, "code": self._codes} | planes
+        return raster_data | {"scene": scene, "lights": lights, "code": self._codes} | planes
 
     def draw(
         self,
@@ -131,7 +131,7 @@ class Stage:
         before that is drawn.
         """
         want = shot.want._replace(**changes) if changes else shot.want
-        job = self.job(shot, planes, of_a=want.surfaces == "a")
+        job = self.job(shot.numbers, planes, of_a=want.surfaces == "a")
         if want.bounds:
             with compiling:
                 from renderer.shader.rounded_inputs import input_bounds  # what most pictures never need to import

@@ -144,7 +144,7 @@ def table(results: Results) -> str:
 
 
 def _shown(record):
-    """Return a record without the ends, of which the digits speak."""
+    """Return a record without the intervals' ends, which the certain digits of its texts imply."""
     return {name: value for name, value in record.items() if not name.endswith(("_lower", "_upper"))}
 
 

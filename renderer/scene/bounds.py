@@ -46,16 +46,20 @@ def _casts(light, body, ball):
 
 
 @lru_cache(maxsize=64)
-def shadow_boxes(g: Geometry, light: Sequence[float]) -> tuple[Box, ...]:
-    """Return where A's shadow on the floor, B's on the floor, B's on A and A's on B can be, of a light at a point.
+def shadow_boxes(g: Geometry) -> tuple[tuple[Box, ...], ...]:
+    """Return of each light where A's shadow on the floor, B's on the floor, B's on A and A's on B can be.
 
-    A box is empty where there is no B, no floor, or where no segment from the light to the surface meets the body.
+    A box is empty where there is no B, no floor, no light, or no segment from it to the surface that meets the body.
     """
     a, b = ((0.0, 0.0, 0.0), g.radius), (g.ball[:3], g.ball[3])
     floor, lowest = (None, 0.0, 0.0), g.radius * (g.radius / g.eye) * (1 - GUARD)  # theorem visible_iff: cos φ > R/e
     on_a, on_b = (a, lowest, g.radius), (b, b[0][2] - b[1], b[0][2] + b[1])
     cases = ((a, floor, g.floor_on), (b, floor, g.floor_on and g.ball_on), (b, on_a, g.ball_on), (a, on_b, g.ball_on))
-    return tuple(_shadow_box(g.eye, light, body, *surface) if needed else EMPTY for body, surface, needed in cases)
+
+    def boxes(light):
+        return tuple(_shadow_box(g.eye, light, body, *surface) if needed else EMPTY for body, surface, needed in cases)
+
+    return tuple(boxes(light) if light else () for light in g.lights)
 
 
 def _shadow_box(eye, light, body, ball, low, high):

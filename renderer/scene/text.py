@@ -1,4 +1,4 @@
-"""Records as text, JSON or TOML, read with distrust: whoever wrote a text may have meant harm."""
+"""Records as text, JSON or TOML, read with distrust: a text's author may have meant harm."""
 
 import json
 from collections.abc import Iterator

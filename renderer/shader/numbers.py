@@ -1,4 +1,4 @@
-"""The shot, and the numbers that the shader reads: of the scene, of each light, and boxes in which each thing lies."""
+"""The shot, made once of a scene, and the numbers that the shader reads: of scene and lights, and of bodies' boxes."""
 
 import math
 from collections.abc import Callable, Iterable
@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from functools import cache, lru_cache
 from operator import attrgetter
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from renderer.scene.bounds import EVERYWHERE, Box, ball_box, shadow_boxes
 from renderer.scene.fields import field_kernels
 from renderer.scene.methods import GradientMethod, checked_method, exact
 from renderer.scene.raster import MAX_SIDE, Raster
-from renderer.scene.scene import MOVE_NO_BOUNDARY, Geometry, Light, Scene, geometry_of
+from renderer.scene.scene import MOVE_NO_BOUNDARY, Light, Scene, geometry_of
 from renderer.shader.gradients import algebraic_powers
 from renderer.shader.shader import FLOOR, NOTHING, PLANES, WORK, Group
 
@@ -47,12 +47,6 @@ def reach_of_a(eye: float, radius: float) -> float:
     while math.sqrt(math.nextafter(reach, math.inf)) <= silhouette:
         reach = math.nextafter(reach, math.inf)
     return reach
-
-
-def style_of(scene: Scene) -> tuple[Any, str]:
-    """Return (model, style): how light is taken; by the squared base, if there is one and the shininess is not odd."""
-    squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
-    return scene.model, "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
 
 
 @cache
@@ -107,29 +101,20 @@ class Want(NamedTuple):
         return not self.integer_power or any(way in HEIGHT_EVALUATIONS for _, way in self.ways)
 
 
-if TYPE_CHECKING:
-    once = property
-else:
-
-    class once:
-        """A property that is computed once. Python 3.11's own has a lock, for which a forked child might wait."""
-
-        def __init__(self, compute: Callable):
-            self.compute, self.__doc__ = compute, compute.__doc__
-
-        def __get__(self, shot: Any, owner: Any = None) -> Any:
-            value = vars(shot)[self.compute.__name__] = self.compute(shot)
-            return value
-
-
 _shading = attrgetter(*(field.name for field in fields(Scene) if field.name not in MOVE_NO_BOUNDARY))
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)  # nobody changes one
 class Shot:
-    """A scene, the method of its gradient and a raster, with what drawing reads of them, each made once.
+    """A scene, the method of its gradient and a raster, and what drawing reads of these, made here once.
 
     By default the exact gradient, and one pixel. samples: each way across a pixel. Raises ValueError on what is none.
+
+    geometry: the part of the scene on which chambers depend. shading: the fields on which the colours off A depend.
+    powers: of the algebraic form of the gradient, or None. way: to the gradient: algebraic, general, or a difference.
+    glows: whether light is scattered; without it no normal is seen. want: the Want of the picture, drawn from nothing;
+    without a bump that is seen, without a gradient. numbers: (the scene's, those of the lights that are on (n, …)),
+    float64 arrays.
     """
 
     scene: Scene
@@ -138,44 +123,26 @@ class Shot:
     samples: int = 1
 
     def __post_init__(self):
-        checked_method("gradient", self.method)
-        check_kind("scene", self.scene, Scene)
+        method, scene = checked_method("gradient", self.method), check_kind("scene", self.scene, Scene)
         most = min(MOST_SAMPLES, MAX_SIDE // max(self.raster.width, self.raster.height))
-        object.__setattr__(self, "samples", check_whole("samples", self.samples, most))
-
-    @once
-    def geometry(self) -> Geometry:
-        """The part of the scene on which chambers depend."""
-        return geometry_of(self.scene)
-
-    @once
-    def shading(self) -> tuple:
-        """The fields on which the colours off A depend: equal for equal shadings."""
-        return _shading(self.scene)
-
-    @once
-    def powers(self) -> tuple[int, int] | None:
-        """The powers of the algebraic form of the gradient, or None."""
-        return algebraic_powers(self.scene, self.method)
-
-    @once
-    def way(self) -> str:
-        """The way to the gradient: algebraic, general, or a difference."""
-        return "algebraic" if self.powers else "general" if self.method.name == "exact" else self.method.name
-
-    @once
-    def glows(self) -> bool:
-        """True if light is scattered: without it, no normal is seen."""
-        return (self.scene.kd > 0.0 or self.scene.ks > 0.0) and any(any(each.color or ()) for each in self.scene.lights)
-
-    @once
-    def want(self) -> Want:
-        """The Want of the picture, drawn from nothing; without a bump that is seen, without a gradient."""
-        scene, numbers = self.scene, {"k_u": self.scene.ku, "k_v": self.scene.kv}
-        level = any(numbers[name] == 0.0 for name in field_kernels(scene.field)["level_without"])
-        ways = ((scene.field, "flat" if level or scene.beta == 0.0 or not self.glows else self.way),)
-        whole = scene.shininess.is_integer()
-        return Want(ways, (style_of(scene),), whole, bumps=(scene.bump,), horizon=scene.horizon)
+        self.samples = check_whole("samples", self.samples, most)
+        self.geometry, self.shading = geometry_of(scene), _shading(scene)
+        self.powers = algebraic_powers(scene, method)
+        self.way = "algebraic" if self.powers else "general" if method.name == "exact" else method.name
+        self.glows = (scene.kd > 0.0 or scene.ks > 0.0) and any(any(each.color or ()) for each in scene.lights)
+        wave_numbers = {"k_u": scene.ku, "k_v": scene.kv}
+        level = any(wave_numbers[name] == 0.0 for name in field_kernels(scene.field)["level_without"])
+        way = "flat" if level or scene.beta == 0.0 or not self.glows else self.way
+        squared = LIGHT_MODELS[scene.model][1] is not None and scene.shininess % 2.0 != 1.0
+        style = "diffuse" if scene.ks == 0.0 else "squared" if squared else "base"
+        choices = ((scene.field, way),), ((scene.model, style),), scene.shininess.is_integer()
+        self.want = Want(*choices, bumps=(scene.bump,), horizon=scene.horizon)
+        lights = [
+            flat(light_numbers(number, light, boxes, self.glows))
+            for number, (light, boxes) in enumerate(zip(scene.lights, shadow_boxes(self.geometry), strict=True))
+            if light.color is not None
+        ]
+        self.numbers = np.array(flat(scene_numbers(self))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))
 
 
 def scene_numbers(shot: Shot, number: Callable = np.float64) -> SimpleNamespace:
@@ -226,18 +193,7 @@ def light_numbers(number: int, light: Light, boxes: Iterable[Box], glows: bool =
     )
 
 
-SCENE_FORM = scene_numbers(Shot(Scene()))
 LIGHT_FORM = light_numbers(0, Light((0.0, 0.0, 0.0)), (EVERYWHERE * 2,) * 4)
+SCENE_FORM = scene_numbers(Shot(Scene()))
 ROUNDED = ("reach_of_a", "ambient", "floor_light", "floor_dark")  # of a scene's numbers; the others are exact
 SHADER = Shader(Group, SCENE_FORM, LIGHT_FORM, ROUNDED, WORK, PLANES)
-
-
-@lru_cache(maxsize=64)
-def numbers_of(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
-    """Return (the scene's numbers, those of the lights that are on (n, …)), float64 arrays."""
-    lights = [
-        flat(light_numbers(number, light, shadow_boxes(shot.geometry, light.position), shot.glows))
-        for number, light in enumerate(shot.scene.lights)
-        if light.color is not None
-    ]
-    return np.array(flat(scene_numbers(shot))), np.array(lights).reshape(-1, len(flat(LIGHT_FORM)))

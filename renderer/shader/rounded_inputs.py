@@ -24,7 +24,7 @@ def bound_of_x(column: Number, width: Number, height: Number, eye: Number, radiu
 
 
 def bound_of_y(row: Number, height: Number, eye: Number, radius: Number) -> Number:
-    """Return the same of its y."""
+    """Return a bound of the error of an image point's y, of a raster's row."""
     half = image_extent(Enclosed(eye), Enclosed(radius))
     return _on_grid(image_y(Enclosed(row), enclosed(height), half), half.value / (20 * height))
 
@@ -39,7 +39,7 @@ def of_image_points(shot: Shot) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _on_grid(coordinate, step):
-    """Return the bounds of coordinates that are whole multiples of a step: next to 0 none is but 0 itself."""
+    """Return the bounds of coordinates that are multiples of a step: one that may be 0 alone is off by its size."""
     size = abs(coordinate.value)
     return where(size + coordinate.bound < 0.5 * step, size, coordinate.bound)
 
@@ -58,7 +58,7 @@ def of_scene(shot: Shot) -> SimpleNamespace:
 
 @lru_cache(maxsize=16)
 def input_bounds(shot: Shot, wide: int) -> Job:
-    """Return the bounds of a job: that of x with 0 beyond the raster, `wide` in all."""
+    """Return the bounds that a Job has: of x (wide,), 0 beyond the raster; of y (rows,); of the scene's numbers."""
     of_x, of_y = of_image_points(shot)
     of_numbers = np.array(flat(of_scene(shot)))
     bounds = {"x_bound": np.pad(of_x, (0, wide - len(of_x))), "y_bound": of_y, "scene_bounds": of_numbers}

@@ -1,4 +1,4 @@
-"""The picture of a group of pixels, written once: surface, shadows, light, as §2 and §3 derive them.
+"""The shader, written once for all machines: a pixel's surface, shadows and light, as §2 and §3 derive them.
 
 A *machine* runs it (`renderer.machines.traced.Tracer`, `renderer.machines.numpy_rows.Rows`, or one around these): it
 gives values for many pixels at once, and masks that say for which of them something holds.

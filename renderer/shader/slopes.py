@@ -25,7 +25,8 @@ PLACES = {"ball_center": ["ball"], "ball_radius": ["ball", "3"], "shininess": ["
 def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
     """Return the shot that has slopes by numbers of its scene, and the parts of its Want that they change.
 
-    Where the picture needs no gradient, or no highlight, its slope may. Raises ValueError on what has no slope.
+    A slope may need the gradient or the highlight where the picture needs neither. Raises ValueError on a number
+    without a slope.
     """
     scene, names = shot.scene, check_items("derivatives", names, NUMBERS)
     on: dict[str, Any] = {"ball_": scene.ball, "albedo_b": scene.ball, "floor_tint": scene.floor}
@@ -72,7 +73,10 @@ def _seeds(numbers, name, style):
 
 
 def _light_seeds(light, name):
-    """Return the same of a light's numbers. The loop over lights is traced once: a light is known by its bit."""
+    """Return the slopes of a light's numbers by one of the scene's numbers, in their form.
+
+    The loop over lights is traced once for all of them, so a light is recognised by its bit.
+    """
     seeds, (first, *rest) = of_form(light, repeat(0.0)), path_of(name)
     if first != "lights":
         return seeds
@@ -81,7 +85,7 @@ def _light_seeds(light, name):
 
 
 def sloped_group(group: Any) -> Any:
-    """Return a group as the differentiating machine around its own one has it."""
+    """Return a group that draws the same pixels with slopes, on a differentiating machine around the group's own."""
     want, by = group.want, group.want.by
     style = want.lights[0][1]
     seeded = ("lights" if name in parameters(want.ways[0][0]) else name for name in by)  # which no scene's number is
@@ -94,7 +98,7 @@ def sloped_group(group: Any) -> Any:
 
 
 class _Sloped(Group):
-    """A group whose gradient moves with a field's own parameters too."""
+    """A group whose gradient has slopes by a custom field's parameters too."""
 
     def gradient(self, angles: Any, mask: Any) -> Any:
         gradient, (field, way) = super().gradient(angles, mask), self.want.ways[0]  # of a custom field the one

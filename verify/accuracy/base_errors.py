@@ -31,9 +31,9 @@ BOXES, ANGLES = (6000, 200), 2000
 
 
 class OverBoxes(Bounded):
-    """`value`: an Enclosed of the exact numbers over boxes; `error`: one that is exact, |computed − exact| at most.
+    """Numbers over boxes. value: an Enclosed of exact ones; error: an exact Enclosed that bounds |computed − exact|.
 
-    It goes through the printed text of lines in place of a float.
+    The printed text of lines runs on it as on a float.
     """
 
     def __init__(self, value: Any, error: Any = 0.0):
@@ -41,7 +41,7 @@ class OverBoxes(Bounded):
 
     @classmethod
     def of(cls, number: Any) -> "OverBoxes":
-        """Return a number as one of this kind."""
+        """Return a number as an OverBoxes, unless it is one."""
         return number if isinstance(number, cls) else cls(number)
 
     @property
@@ -55,18 +55,18 @@ class OverBoxes(Bounded):
         return OverBoxes(-self.value, self.error)
 
     def inverse(self) -> Enclosed:
-        """Return how large its inverse can be."""
+        """Return a bound of the float64 number's inverse."""
         return 1.0 / (abs(self.value) - self.error)
 
     def lost(self, *_: Any) -> float:
-        """Return what rounding takes at most, over the result: nothing underflows."""
+        """Return the bound of a rounding's share of the result: nothing underflows."""
         return UNIT
 
     lost_in_sum = lost_in_product = lost_in_quotient = lost
 
     @staticmethod
     def rounded(value: Enclosed, moved: Enclosed, lost: float) -> "OverBoxes":
-        """Return a result."""
+        """Return a result whose operands' errors move it by so much; lost: the share of its own rounding."""
         return OverBoxes(value, moved + (abs(value) + moved) * lost)
 
     def sqrt(self) -> "OverBoxes":
@@ -83,7 +83,7 @@ class OverBoxes(Bounded):
 
 
 def boxes(ends: np.ndarray, axis: int = -1) -> Enclosed:
-    """Return what lies between neighbouring ends, along an axis of two."""
+    """Return the intervals between neighbouring ends, along one of two axes."""
     low, high = np.sort([ends[:-1], ends[1:]], axis=0)
     middle = (low + high) / 2
     reach = np.maximum(high - middle, middle - low) * (1 + 2.0**-30)
@@ -91,8 +91,10 @@ def boxes(ends: np.ndarray, axis: int = -1) -> Enclosed:
 
 
 def run(program: Program, values: dict[str, OverBoxes], closer: dict[str, Enclosed] | None = None) -> dict:
-    """Run the lines on {name: number}, and return it with theirs. closer: {name: its value} of values that are
-    enclosed more closely otherwise."""
+    """Run a program's lines on {name: number}, and return it with their numbers added.
+
+    closer: {name: value} of lines whose exact value a better formula encloses more closely.
+    """
     for name, line in code_of(program):
         number = OverBoxes.of(eval(line, {**OverBoxes.names, "value": values}))
         values[name] = OverBoxes(closer[name], number.error) if closer and name in closer else number
@@ -100,7 +102,7 @@ def run(program: Program, values: dict[str, OverBoxes], closer: dict[str, Enclos
 
 
 def _errors(outputs, inputs, values, closer):
-    """Return [the errors] of outputs of A's lines, from given symbols on."""
+    """Return the errors of outputs of A's lines, computed from given inputs."""
     numbers = run(lines(angles_on_a, inputs, outputs), values, closer)
     return [numbers[symbol.name].error for symbol in outputs]
 
@@ -111,7 +113,7 @@ def _largest(*parts):
 
 
 def errors_around() -> tuple[float, float]:
-    """Return by how much the base of u, and ρ of itself, are off at most: over a quarter of the circle ρ = 1."""
+    """Return bounds of the errors of u's base and, relatively, of ρ, over a quarter of the circle ρ = 1."""
     angle = boxes(np.linspace(0, 0.5, ANGLES + 1))
     at = {"x": OverBoxes(kernels.cospi(angle)), "y": OverBoxes(kernels.sinpi(angle)), "eye": OverBoxes(1.0)}
     *of_u, of_rho = _errors((cos_theta, sin_theta, rho), (), at, {"rho_raw": Enclosed(1.0)})
@@ -120,7 +122,7 @@ def errors_around() -> tuple[float, float]:
 
 @cache
 def base_errors(least: float) -> tuple[float, float]:
-    """Return by how much the bases, of u and of v, are off at most where 1 − (ρ/ρ_s)² ≥ `least`."""
+    """Return bounds of the errors of the bases of u and of v, where 1 − (ρ/ρ_s)² ≥ `least`."""
     (of_u, of_rho), half = errors_around(), BOXES[0] // 2 + 1
     ratios = np.concatenate([np.geomspace(RATIOS[0], 0.5, half), 1 - np.geomspace(0.5, 1 - RATIOS[1], half)[1:]])
     radius, share = boxes(ratios, 0), boxes(np.sqrt(1 - np.linspace(least, 1, BOXES[1] + 1)))  # ρ/ρ_s
@@ -131,16 +133,16 @@ def base_errors(least: float) -> tuple[float, float]:
 
 
 def gradient_pieces(least: float) -> list[tuple[arb, arb, Fraction]]:
-    """Return the one piece of all ratios of radius to distance: what `gradient_bound` says of it."""
+    """Return the one piece, all ratios of radius to distance, with its `gradient_bound`."""
     first, last = RATIOS
     return [(arb(first), arb(last), gradient_bound(*base_errors(least)))]
 
 
 @cache
 def gradient_bound(of_u: float, of_v: float) -> Fraction:
-    """Return the most by which a slope can be off in units of (1 + k) π k 2^-53, of all wave numbers; exact.
+    """Return the exact bound of a slope's error in units of (1 + k) π k 2^-53, for all wave numbers.
 
-    of_u, of_v: how far the bases are off. By theorem rounded_powers, with four roundings of π and of the products.
+    of_u, of_v: bounds of the bases' errors. By theorem rounded_powers, with four roundings of π and of the products.
     """
     unit = Fraction(UNIT)
     kappa, rest = (1 + unit) ** 3, (1 + unit) ** 4

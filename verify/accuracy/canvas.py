@@ -14,7 +14,7 @@ from renderer.picture.differences import difference_on_a
 
 SIZE = 256
 CREASE_STEP, DARK_STEPS = 1e-3, (1e-8, 1e-9, 1e-10)
-HALF_LEVELS = 100 * 510  # of 255, in a hundredth: half a level is what rounds to the first
+HALF_LEVELS = 100 * 510  # half levels of 255 in 1, times the gain 100: a byte is 1 from one of them on
 Pieces = list[tuple[int, int, arb | Fraction]]
 
 
@@ -40,7 +40,7 @@ def contrast(orders: int) -> Pieces:
 
 
 def contrast_drawn(numbers: np.ndarray) -> np.ndarray:
-    """Return how far that of the pictures without bounds is from four, for every number."""
+    """Return how far the contrast of the pictures as drawn is from four, for every number the same."""
     on, rest = crease_contrast(*pictures(CREASE_STEP))
     return np.full(numbers.shape, math.log10(on / rest) - 4)
 
@@ -52,7 +52,7 @@ def darkness(steps: Sequence[float]) -> Pieces:
 
 
 def darkness_alone(steps: np.ndarray, pixels: np.ndarray) -> np.ndarray:
-    """Return the same of some pixels, each drawn alone."""
+    """Return 100 |ΔI| over half a level of some of A's pixels, each drawn alone, at steps of DARK_STEPS."""
     rows, columns = np.nonzero(pictures(CREASE_STEP)[1].stage.on_a)
 
     def largest(step, place):

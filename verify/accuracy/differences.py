@@ -1,4 +1,4 @@
-"""A difference's error, taken apart: truncation, rounded arguments, rounded evaluation; each exactly.
+"""Errors of a difference's h_u and h_v at any point, seam and poles included, in exact parts: truncation and roundings.
 
 The difference in exact arithmetic, and the same of the arguments u ± ε as float64 has them, are balls of the
 program's own lines; the float64 difference is the kernel's. With D the exact difference and D̂ that of the rounded

@@ -15,9 +15,9 @@ RATIONALS = [(k, m) for k in range(2, MOST + 1) for m in range(1, k)]
 
 @cache
 def found() -> tuple[int, int, int]:
-    """Return how many floats are nearest to an m/k that they are not, of how many k·u rounds to m, and is a crease.
+    """Return counts of the floats u nearest to an m/k, and not equal to it: all, those with k·u rounded to m, creases.
 
-    In exact fractions, each rounded once; the last by the kernel that draws.
+    k·u is an exact fraction, rounded once; the kernel that draws decides where a crease is.
     """
     floats = [(k, m, u) for k, m in RATIONALS if (u := Fraction(float(Fraction(m, k)))) * k != m]
     onto = sum(float(k * u) == m for k, m, u in floats)

@@ -1,4 +1,4 @@
-"""Means of the two pipelines' difference over points of a lamp, or of a pixel: both stack on a bump.
+"""Means of the two pipelines' difference over an area lamp's points, or a pixel's: both keep the bound of one sample.
 
 A lobe of reflected directions does not: its rays are made from N', and meet other bodies with another bump.
 

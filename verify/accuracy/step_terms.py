@@ -99,10 +99,10 @@ class Side(NamedTuple):
         return abs((kernels.cospi if self.is_sine else kernels.sinpi)(*kernels.two_product(self.rate, self.at)))
 
     def crease(self, epsilon: Number, rule: Rule, nearest_to: Callable) -> tuple[Mask, Number]:
-        """Return (whether the nearest zero is within the samples, the central difference's tent bound).
+        """Return (whether the nearest zero lies between the samples, the central difference's tent bound).
 
-        That is infinite where another zero may be, and of another difference. nearest_to: where the zero is, in
-        half-turns, of the point's own.
+        The bound is infinite where a second zero may lie there, and for the other differences. nearest_to: the function
+        from the point's half-turns to the zero's.
         """
         product, error = kernels.two_product(self.rate, self.at)
         distance = abs((product - nearest_to(product)) + error) / ROOM

@@ -1,6 +1,6 @@
 """Our own elementary functions: the bounds that are charged are those that Coq proves; the ends of their ranges.
 
-What Coq proves of each is sampled with the enclosing machine's rules: `verify/test_bounds.py`.
+`verify/test_bounds.py` samples each bound that Coq proves, with the enclosing machine's rules.
 """
 
 import json
@@ -22,7 +22,7 @@ def test_what_a_step_says_is_what_coq_accepted():
 
 
 def test_the_enclosing_machine_charges_enough():
-    """Once, or twice what rises or falls: there Coq's count is above the charge by 8 roundings at most."""
+    """The charge is Coq's count, or, twice charged, of a monotone function, at most 8 roundings less."""
     most = PROVED | {name: PROVED["power"] + POWER_RATE * size for name, size in (("power", 50), ("small_power", 709))}
     most |= {"sinpi": PROVED["of_product_relative"], "cospi": PROVED["of_product_relative"]}
     for name, charge in ROUNDINGS.items():

@@ -5,6 +5,6 @@ from verify.accuracy.stacking import stacked
 
 
 def test_a_mean_does_not_heal_a_difference():
-    """The error of a difference has one sign over a lamp: were it noise, 16 points would leave a quarter."""
+    """A difference's error has one sign over a lamp; as noise the mean of 16 points would be a quarter."""
     one, many = (stacked(Scene(field="sine"), lamp=lamp, side=64).rms.value for lamp in (1, 4))
     assert 0.9 < many / one < 1

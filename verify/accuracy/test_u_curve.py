@@ -16,8 +16,9 @@ SOME = slice(None, None, 20)
 
 @pytest.mark.parametrize("method", METHODS)
 def test_no_part_of_the_error_is_above_its_bound(method):
-    """A third of the bounds is too little; where rounding rules they are no thirty times too much, in the median. What
-    is taken apart is the renderer's own error, one step at a time."""
+    """The bounds hold, a third of them does not, and where rounding rules their median is below thirty times the error.
+
+    The error is the renderer's own, taken apart by term, one step ε at a time."""
     ratios, above = [], 0
     for case in (case._replace(method=method) for case in CASES):
         errors, limits = parts(case), bounds(case)

@@ -11,7 +11,7 @@ import numpy as np
 
 from renderer import exact, render
 from renderer.machines.forms import COLORS, flat, of_form
-from renderer.shader.numbers import SCENE_FORM, numbers_of
+from renderer.shader.numbers import SCENE_FORM
 from verify.benchmark.frames import calls
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.coq.recorded_pixel import DEFAULT, SHOT, WANTS, recorded
@@ -42,7 +42,7 @@ def picture_by(arrays: Any, beta: Any) -> list:
                 return arrays.zeros(())  # of which a library's sine has no use
         return (getattr(operator, f"__{name}__", None) or getattr(arrays, name))(*taken)
 
-    recorder, (numbers, lights), (x, y) = recorded(), numbers_of(SHOT), SHOT.raster.image_points(SCENE)
+    recorder, (numbers, lights), (x, y) = recorded(), SHOT.numbers, SHOT.raster.image_points(SCENE)
     scene = of_form(SCENE_FORM, numbers)
     scene.beta = beta
     inputs = chain((x, y[:, None], 0.0, 0.0), flat(scene), lights.ravel(), repeat(0.0))

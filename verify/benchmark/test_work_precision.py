@@ -1,4 +1,4 @@
-"""Work and precision: every method takes the same gradient, and what ours do not beat in both has more digits.
+"""Work and precision: every method takes the same gradient; one that ours do not beat in both has more digits.
 
 The last is asked of the committed run, as the ledger asks that none beats ours; what is not installed is left out.
 """

@@ -1,4 +1,4 @@
-"""Counterexamples of false variants: a point at 50 digits, certified by balls, and where it can be had an exact one."""
+"""Counterexamples of false variants: a point at 50 digits, certified by balls, and an exact one where there is one."""
 
 import operator
 from collections.abc import Collection, Iterable, Mapping
@@ -34,7 +34,7 @@ def counterexample(mutant: Mutant, seed: str) -> dict[str, Any] | None:
     """Return {"exact": bool, "certified": bool, "at": {name: text}} where a mutant fails, or None.
 
     exact: at the point, a rational one, the kernel accepts that the claim is refuted. certified: intervals show that
-    it fails at a point with these digits. An Induction is refuted as what it says of one number.
+    it fails at a point with these digits. An Induction is refuted as a claim of one number n.
     """
     if isinstance(mutant.claim, Separation):
         path = path_to_avoided(mutant.claim)
@@ -108,8 +108,8 @@ def path_to_avoided(claim: Separation) -> list[str] | None:
 def certified(sampler: Sampler, point: Mapping[Symbol, Any], fixed: Collection[Symbol] = ()) -> bool:
     """Return whether balls, with every rounding in them, show that a claim fails near a 50-digit point {symbol: value}.
 
-    The free inputs, and those that are fixed, are taken as they are, exactly; what the sampler solved for is solved
-    again, by formulas, so that its ball holds a solution. Of other equations each has to hold of exact numbers.
+    Free and fixed inputs are exact. Those that the sampler solved for are solved for again, by formulas, so that their
+    balls hold a solution. Every other equation must hold of exact numbers.
     """
     if flint is None:
         return False

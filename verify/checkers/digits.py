@@ -18,7 +18,7 @@ class Undefined(ArithmeticError):
 
 
 def decided(left: Any, relation: str, right: Any) -> bool:
-    """Return whether a relation holds; raise Undefined where that is open."""
+    """Return whether a relation holds; raise Undefined where balls do not decide it."""
     holds = compare(left, relation, right)
     if holds is None:
         raise Undefined(f"{left} {relation} {right} is open")
@@ -41,9 +41,10 @@ NUMBERS = MPMATH | {"compare": decided, "real": _real, "Heaviside": _step, "Dira
 
 
 def differentiated(expression: Basic) -> Basic:
-    """Return an expression with the derivatives in it as SymPy takes them, whatever the rules of a translation do.
+    """Return an expression with its derivatives taken by SymPy, independently of the translation's rules.
 
-    Nothing else is evaluated: of a product such as −1 · 0 that is left as it stands SymPy may think it is no integer.
+    Nothing else is evaluated, but products of numbers, such as −1 · 0: left as it stands, SymPy may take one for no
+    integer.
     """
     expression = sympify(expression)
     taken = {part: _without_products_of_numbers(part).doit() for part in expression.atoms(Derivative)}
@@ -80,10 +81,10 @@ def parts_of(relations: Iterable[Basic]) -> list[Basic]:
 
 
 class Relations:
-    """Relations over inputs and definitions, as code: called with values, whether all of them hold, to 40 digits.
+    """Relations over inputs and definitions, as code: call it with values to learn whether all hold, to 40 digits.
 
-    What is given is compared to all the digits that are worked with but seven, and at least to 58.
-    slack: by how much, relatively, an inequality may fail; 0 for what is given.
+    Hypotheses are compared to seven digits fewer than are worked with, and at least to 58.
+    slack: by how much, relatively, an inequality may fail; 0 for hypotheses.
     """
 
     def __init__(self, relations: Iterable[Basic], definitions: Lines = (), slack: mpmath.mpf = TOLERANCE):

@@ -1,4 +1,4 @@
-"""Grades of theorems: each on its own evidence, then in the run, where the theorems that it rests on count."""
+"""Grades of theorems: first on their own evidence, then lowered to those of the theorems that they use."""
 
 import re
 from collections import Counter
@@ -48,7 +48,7 @@ class Examination:
         return "refuted" if self.expected == "refuted" else "proved"
 
     def check_sources(self, theorem: Theorem) -> None:
-        """Keep what is pinned and cited; Coq's record has to bear it out, and the bibliography has each key."""
+        """Note pinned statements and cited sources: Coq's record must have the former, the bibliography the latter."""
         self.record |= {"pinned": [pin.name for pin in theorem.pinned]} if theorem.pinned else {}
         self.problems += recorded.why_not_pinned(theorem)
         lemmas = [lemma for claim in theorem.claims for lemma in claim.cited]
@@ -98,12 +98,12 @@ def given_cited(evidences: Iterable[dict], in_coq: Collection[str] = ()) -> dict
 
 
 def grade_line(grade: str, sources: Sequence[str]) -> str:
-    """Return how a grade reads: "proved", "proved, given Dekker1971", …"""
+    """Return a grade in words: "proved", "proved, given Dekker1971", …"""
     return f"{grade}, given {', '.join(sources)}" if grade in ("proved", "refuted") and sources else grade
 
 
 def graded(evidences: Sequence[dict], in_coq: Collection[str] = ()) -> list[dict]:
-    """Return the entries of the report, in order of their ids: what each run found, its grade and its grade line.
+    """Return the entries of the report, in order of ids: each theorem's evidence, grade and grade line.
 
     in_coq: the theorems that Coq has proved in this run.
     """

@@ -68,13 +68,13 @@ def proved(claim: dict) -> list:
 
 
 def product(off: int) -> list:
-    """Return a product of fractions of a hundred digits, which is true where it is off by no unit."""
+    """Return a claim of a product of fractions of a hundred digits: true if it is off by 0 units, else false."""
     of, proof = {"x": f"{3**200}/{2**100}", "": "1/3"}, {"rule": "ideal", "cofactors": [[0, {"x": "7/11"}]]}
     return pair_of([assume(of, "="), show({"x^2": f"{7 * 3**200 + off}/{11 * 2**100}", "x": "7/33"}, "=")], proof)
 
 
 def huge() -> list:
-    """Return powers of powers of a sum, which nobody waits for."""
+    """Return powers of powers of a sum, which would take years to write out."""
     steps = [("define", {f"{of}^999": "1", "y": "1"}, {"new": new}) for of, new in pairwise("xabcde")]
     return pair_of([*steps, show({"e": "1"}, "=")], NOTHING)
 
@@ -150,7 +150,7 @@ def reasons_of(texts: Sequence[str], check: Callable = kernel.check) -> list[str
 
 
 def wrong_verdicts(reasons_of: Callable[[Sequence[str]], list[str]]) -> list[str]:
-    """Return the texts of which a checker that says why it refuses each is wrong: none, if all is well."""
+    """Return the texts of which a checker's verdict is wrong; reasons_of(texts) gives its verdicts."""
     good, bad = map(compact, WELL_FORMED), [*map(compact, [*BROKEN, *(pair_of(*each) for each in UNSOUND)])]
     bad += ["[" * 10**5 + "]" * 10**5, *(compact(GOOD).replace(*was) for was in REWRITTEN)]
     texts = [*good, *bad]

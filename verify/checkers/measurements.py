@@ -42,7 +42,7 @@ DIGITS, SEED, TRIED, PLACES = 6, 5, 64, 6
 WIDEST = 1e-9  # a ball that stands for one number
 MEASURING = tuple(f"{package}." for package in PROJECT.measuring)
 FALSE = "what is claimed does not hold, or a piece may exceed the bound"
-FUNCTIONS = FunctionType, type(cache(len))  # what is defined, and what keeps its results
+FUNCTIONS = FunctionType, type(cache(len))  # a function, and one with a cache
 SYMBOL = re.compile(r"(\\[a-zA-Z]+|[a-zA-Z])(_\{[^}]*\}|_\w)?")
 REGISTERED: dict[str, list[tuple[Callable, dict]]] = {}
 """{theorem's id: [(function, {text: keyword arguments of a false variant})]}, once `measurements` has imported all"""
@@ -73,7 +73,7 @@ class Measurement:
         return float(np.max(np.abs(self.values), initial=0.0))
 
     def why_refused(self) -> str:
-        """Return why this is no evidence, "" where it is: something was seen, finite and within a finite bound."""
+        """Return why this is no evidence, "" where it is: there are values, all finite and within a finite bound."""
         values = np.asarray(self.values)
         if not self.quantity or len(np.unique(values)) < 2:
             return f"{values.size} cases of {self.quantity!r}, none unlike another"
@@ -141,7 +141,7 @@ class Enclosure:
         return low >= high
 
     def _tried(self, others):
-        """Return whether the quantity at random points inside the pieces, and of the others, is what these say."""
+        """Return whether the quantity, at random points in the pieces and of the other arguments, is within them."""
         low, high, most = np.array([[float(number) for number in piece] for piece in self.enclosed]).T
         random = np.random.default_rng(SEED)
         shares = random.uniform(0.01, 0.99, (max(2, TRIED // len(low)), len(low)))
@@ -152,7 +152,7 @@ class Enclosure:
 
 
 def _is_there(function):
-    """Return whether a function is the one that its module has under its name."""
+    """Return whether a function is the one that its module has by its name: no local function, no partial."""
     return vars(sys.modules.get(function.__module__, object)).get(function.__name__) is function
 
 
@@ -163,7 +163,7 @@ def _ball(number):
 def record(evidence: Measurement | Enclosure) -> dict[str, Any]:
     """Return what the report keeps, with numbers rounded so that they do not depend on the machine's last bits.
 
-    What is measured is rounded to one digit: more would depend on the machine's libm.
+    Errors are rounded to one digit: more would depend on the machine's libm.
     """
     certified = isinstance(evidence, Enclosure)
     entry = {"samples": evidence.samples, "seed": evidence.seed, "certified": certified, "what": evidence.quantity}
@@ -188,7 +188,7 @@ def unnamed(words: str, over: Iterable[str]) -> set[str]:
 
 
 def says(words: str, bound: Any) -> bool:
-    """Return whether a theorem's words have a number."""
+    """Return whether a number stands in a theorem's words."""
     return float(bound) in map(float, re.findall(r"\d+(?:\.\d+)?", words))
 
 
@@ -212,7 +212,7 @@ def measures(theorem_id: str, false: dict[str, dict[str, Any]]) -> Callable[[Cal
 
 @cache
 def library_needed() -> str | None:
-    """Import every module of measurements; return the library for want of which that cannot be done here, or None."""
+    """Import every module of measurements; return the library whose lack prevents that, or None."""
     try:
         for module in pkgutil.iter_modules([str(PROJECT.folder(PROJECT.measurements))]):
             importlib.import_module(f"{PROJECT.measurements}.{module.name}")
@@ -224,7 +224,7 @@ def library_needed() -> str | None:
 
 
 def measurements() -> dict[str, list[tuple[Callable, dict]]]:
-    """Return all that is registered, of every module of measurements that can be imported here."""
+    """Return {theorem's id: its measurements} of every module of measurements that can be imported here."""
     library_needed()
     return REGISTERED
 

@@ -13,8 +13,8 @@
 
 Nothing raises a grade by hand. A run also gives every certificate to the second checker (`verify.test_theorems`).
 
-Theorems that are certified or measured have no claims: `verify.checkers.measurements`. That module and the
-search are imported where a theorem needs them: no grade of what is proved rests on either.
+Theorems that are certified or measured have no claims: `verify.checkers.measurements`. This module imports that one,
+and the search, only where a theorem needs them: the grade `proved` rests on neither.
 """
 
 import importlib
@@ -55,8 +55,8 @@ def why_rejected(statement: dict, certificate: dict) -> str | None:
 def examine(theorem: Theorem, anew: bool = False, points: int = POINTS) -> Examination:
     """Return the Examination of a theorem.
 
-    Nobody has to trust the search: it is asked whether it proves a mutant, what a formula that changed left over, and,
-    with anew, for every certificate, whatever is stored.
+    The search, which nobody has to trust, is asked to prove each mutant, and for what is left over where no stored
+    certificate fits; with `anew`, for every certificate.
     """
     if not theorem.claims and (theorem.pinned or theorem.rounded or theorem.expected in WITHOUT_CLAIMS):
         return importlib.import_module("verify.checkers.measurements").examine(theorem)
@@ -105,7 +105,7 @@ def _check_certificates(examination, theorem, prove, anew):
 
 
 def by_definition(claim: AnyClaim) -> list[str]:
-    """Return the relations of a claim that say nothing: once translated they read 0 = 0 or 3 > 2, or are given."""
+    """Return the relations that a claim shows in vain: translated, they read 0 = 0 or 3 > 2, or are hypotheses."""
     if isinstance(claim, Induction):
         translated = induction(claim)
         equations = [step["of"] for step in translated["assume"] if step["is"] == "="]
@@ -119,7 +119,7 @@ def by_definition(claim: AnyClaim) -> list[str]:
 
 
 def why_unproved(claim: AnyClaim, prove: Callable, **effort: int) -> str | None:
-    """Return None if a search finds what the kernel accepts as proof of a claim, else why it is not proved."""
+    """Return None if a search finds a proof of the claim that the kernel accepts, else why not."""
     try:
         cases = prove(claim, **effort)
     except NotFound as error:
@@ -195,7 +195,7 @@ def _said(mutant):
 def why_no_variant(theorem: Theorem, variant: AnyClaim) -> str | None:
     """Return why a false claim is no variant of the theorem's claim of that name, or None.
 
-    It changes one field of it; of what it shows each relation says something of the claim's symbols, or of π.
+    A variant changes one field, and each relation that it shows is about the claim's symbols, or π.
     """
     claim = next((c for c in theorem.claims if (c.name, type(c)) == (variant.name, type(variant))), None)
     if claim is None:

@@ -16,7 +16,7 @@ SIMPLE = [Fraction(p, q) for q in (1, 2, 3, 4, 5, 13) for p in range(-2 * q, 2 *
 
 
 class Sampler:
-    """Random points for a claim: its inputs, with the equations among its givens solved for one symbol each."""
+    """Random points for a claim: its inputs, with the equations among its hypotheses solved for one symbol each."""
 
     def __init__(self, claim: Claim, seed: str | int):
         self.random, self.ranges = random.Random(seed), dict(claim.ranges)
@@ -36,7 +36,7 @@ class Sampler:
         self.pools = {s: self._pool(s) for s in self.inputs}
 
     def _box(self, symbol):
-        """Return where a symbol without a range is drawn: between what is given of it alone, else in [−3, 3]."""
+        """Return the interval for a symbol without a range: by the hypotheses about it alone, else [−3, 3]."""
         ordered = [(r.gts, r.lts) for r in self.given if r.rel_op in ("<", "<=", ">", ">=")]
         low = max((less for more, less in ordered if more == symbol and less.is_Rational), default=None)
         high = min((more for more, less in ordered if less == symbol and more.is_Rational), default=None)
@@ -58,7 +58,7 @@ class Sampler:
         return low + (high - low) * mpmath.ldexp(self.random.getrandbits(200), -200)
 
     def inputs_at_random(self, fixed: Mapping | Iterable[tuple] = ()) -> dict[Symbol, mpmath.mpf] | None:
-        """Return values of the inputs that satisfy the givens about inputs, with some of them fixed, or None."""
+        """Return values of the inputs that satisfy the hypotheses about inputs, with some of them fixed, or None."""
         values, solved = dict(fixed), {symbol for symbol, _ in self.solved}
         scale = self.random.choice((1,) * 7 + (10, 1000))  # now and then beyond the box
         for symbol in self.inputs:
@@ -76,7 +76,7 @@ class Sampler:
             return None
 
     def verdict(self, values: Mapping[Symbol, mpmath.mpf]) -> str | None:
-        """Return "holds", "fails" or "undefined" for the conclusions at the inputs; None if the other givens fail."""
+        """Return "holds", "fails" or "undefined" for the conclusions at the inputs; None if a hypothesis fails."""
         try:
             return None if not self.late(values) else "holds" if self.shows(values) else "fails"
         except Undefined:

@@ -48,7 +48,7 @@ def reasons_of(texts: Sequence[str]) -> list[str]:
 
 
 def stored() -> dict[str, dict]:
-    """Return {theorem/claim/number: its stored statement, certificate and point} of everything that is stored."""
+    """Return {"theorem/claim/number": (statement, certificate, point)} of all stored certificates."""
     return {
         f"{path.stem}/{claim['claim']}/{number}": entry
         for path in sorted(PROJECT.certificates.glob("*.json"))

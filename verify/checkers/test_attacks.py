@@ -1,4 +1,4 @@
-"""Attacks by claims: false ones that must not be proved, true ones that must not be refuted, and what says nothing."""
+"""Attacks by claims: false ones that must not be proved, true ones that must not be refuted, and empty ones."""
 
 import sys
 
@@ -52,7 +52,7 @@ TRUE = (Mutant("x² ≥ 0", says(greater(x**2 + 1, 0))), Mutant("x + 1 > x", say
 
 
 def examined(*claims, mutants=TRUE, statement="", **changes):
-    """Return what is found of a theorem of these claims, everything anew."""
+    """Return the Examination of a theorem of these claims, all certificates searched anew."""
     theorem = Theorem("attack", "", statement, claims, mutants, **changes)
     return examine(theorem, anew=True)
 
@@ -163,7 +163,7 @@ def test_what_says_nothing_holds_by_definition(claim):
 
 
 def test_the_search_for_counterexamples_sees_what_is_there_and_no_more():
-    """A path to an output; what 50 digits take for a failure; and no 1/0."""
+    """It finds a path to an output and a failure at 50 digits, and takes no 1/0 for one."""
     assert path_to_avoided(SEPARATION) is None and path_to_avoided(SEPARATION.but(avoid=x)) == ["y", "x"]
     assert all(witness.fails_at(claim, point) is not None for claim, point in UNSEEN)
     with evaluate(False):
@@ -174,7 +174,7 @@ def test_the_search_for_counterexamples_sees_what_is_there_and_no_more():
 
 
 def test_a_lemma_counts_where_coq_has_proved_the_claim_without_it(monkeypatch):
-    """So no false claim follows from a false one."""
+    """Otherwise a false claim would follow from a false lemma."""
     claim = says(at_least(x + 1, sin(x)), given=POSITIVE, cited=sine_below(x))
     mutants = [variant(f"x − {n}", claim, at_least(x - n, sin(x))) for n in (1, 2)]
     for accepted, grade in (({}, "failed"), ({"attack": {"claims": ["attack__attack"]}}, "proved")):
@@ -291,7 +291,7 @@ def test_a_false_variant_changes_one_field_of_its_claim(mutant, why):
 
 
 def test_a_counterexample_is_exact_or_enclosed():
-    """A true variant is none that 50 digits take for false."""
+    """A true variant that 50 digits take for false has none."""
     false = NEAR.but(shows=Ne(x, y, evaluate=False))
     near = Mutant(
         "not 0, by 10⁻⁴⁵", NEAR.but(shows=Ne(NEAR.shows[0].lhs - TINY / 10**5, 0, evaluate=False)), {x: 1, y: 1}
@@ -321,7 +321,7 @@ def test_no_case_is_left_out_for_what_a_lemma_says_outside_its_conditions():
 
 
 def test_a_point_shows_that_hypotheses_can_hold():
-    """An exact one, of the kernel's names; without it, or at another point, a proof proves nothing."""
+    """The point is exact, of the kernel's names; without it, or at a wrong one, a proof is void."""
     given = (equation(x**2, 4), at_least(y, 0), at_least(sqrt(y) * x, 1))
     ((*proof, point),) = prove(says(equation(x**4, 16), greater(sqrt(y) + x, 0), given=given))
     assert reasons([(*proof, point)]) == [None]

@@ -47,7 +47,7 @@ WEAKENED = [
 
 
 def test_a_run_tells_a_weakened_kernel():
-    """The kernel as it stands gives no wrong verdict: each run of the theorems begins with that."""
+    """The present kernel gives no wrong verdict on known-bad certificates, with which each run begins."""
     text = Path(kernel.__file__).read_text("utf-8")
     for strong, weaker in WEAKENED:
         assert text.count(strong) == 1
@@ -76,7 +76,7 @@ REFUSED_FILES = [
 
 
 def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, monkeypatch, capsys):
-    """For the grade as for `proofs.check`: a file is its own canonical form."""
+    """The grade and `proofs.check` accept a file in its canonical form alone."""
     theorems, path = all_theorems(), tmp_path / "unit_length.json"
     monkeypatch.setattr(project, "PROJECT", project.PROJECT._replace(certificates=tmp_path))
     monkeypatch.setattr(stored, "FOLDER", tmp_path)
@@ -96,7 +96,7 @@ def bare(*command):
     return done.returncode, done.stdout, done.stderr
 
 
-SCRIPTS = [  # what is changed behind the first certificate's beginning
+SCRIPTS = [  # changes behind the first certificate's beginning
     ("unit_length", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
     ("tangent_frame", '"is": "="', '"is": ">="', "tangent_frame: REJECTED."),
 ]
@@ -104,7 +104,7 @@ SCRIPTS = [  # what is changed behind the first certificate's beginning
 
 @pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
 def test_a_changed_script_is_rejected(id, was, changed, says, tmp_path):
-    """By the checker as it stands. The scripts that the book offers are run by `tests/test_book_theorems.py`."""
+    """The script's own kernel rejects it. `tests/test_book_theorems.py` runs the scripts that the book offers."""
     head, certificate, tail = standalone.standalone_script(id).partition('"certificate"')
     assert all(inspect.getsource(part).strip() in head + certificate + tail for part in (kernel, check, standalone.run))
     path = tmp_path / "theorem.py"

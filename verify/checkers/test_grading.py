@@ -29,7 +29,7 @@ def test_theorems_that_use_each_other_are_an_error():
 
 
 def test_a_false_theorem_fails_and_says_why():
-    """Of one whose certificate is missing or stale a new one is searched for, and fails it though it may be found."""
+    """A theorem whose certificate is missing or stale fails, even where a new one is found."""
     false = theorem("false", claim=FALSE.but(shows=equation(x / y, y / x), given=(x > 0, y > 0)))
     for anew, of_theorem, why in (
         (True, false, "no certificate found for"),
@@ -42,7 +42,7 @@ def test_a_false_theorem_fails_and_says_why():
 
 
 def test_a_mutant_that_holds_fails_the_theorem():
-    """By a search, as no other claim; and no counterexample is found."""
+    """A search proves the mutant, and there is no counterexample."""
     real = all_theorems()["unit_length"]
     mutants = [variant("the same", real.claims[0])] * 2
     examination = examine(replace(real, mutants=mutants, side_conditions=()))

@@ -1,4 +1,4 @@
-"""Measurements, citations and cited lemmas: what reaches which grade, and what must fail."""
+"""Measurements, citations and cited lemmas: the grades that they reach, and failures."""
 
 import math
 from dataclasses import replace
@@ -159,7 +159,7 @@ def test_no_range_and_no_sample_is_narrower_than_the_words_state(id):
 
 
 def test_what_rests_on_a_cited_lemma_says_so():
-    """Coq's proof needs no lemma, and no other theorem."""
+    """A theorem that Coq proves names no lemma, as its proof needs none, and no other theorem."""
     lemma = {"relation": "x >= sin(x)", "source": "Blinn1978"}
     examination = {"id": "lemma", "grade": "proved", "uses": [], "cited_lemmas": [lemma]}
     user = {"id": "user", "grade": "proved", "uses": ["lemma"]}

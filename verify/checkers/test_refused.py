@@ -1,4 +1,4 @@
-"""Claims that have no translation: of what hides an assumption, has no value, or takes too long, nothing is stated."""
+"""Claims without a translation: those that hide an assumption, have no value, or take too long."""
 
 from itertools import pairwise
 from math import prod
@@ -60,7 +60,7 @@ SYMBOLS = [
 
 
 def endless():
-    """Yield what nobody waits for: deep, shared, of many terms, digits, cases, angles, derivatives."""
+    """Yield expressions that would take years: deep, shared, of many terms, digits, cases, angles, derivatives."""
     nested = doubled = x
     for _ in range(3000):
         nested = cos(nested, evaluate=False)

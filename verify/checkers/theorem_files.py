@@ -1,4 +1,4 @@
-"""A file of theorems is data: what it imports, names and calls says claims, and reaches nothing that judges them."""
+"""Rules by which a file of theorems is data: its imports, names and calls make claims, and reach no judge of them."""
 
 import ast
 import builtins
@@ -20,7 +20,7 @@ INNER = re.compile(r"_|(ag|cr|f|gi|tb)_")  # of an object, and of Python's own f
 
 
 def why_no_data(text: str) -> list[str]:
-    """Return why a file's text is more than data: [] if it imports by name, changes nothing there is, runs no text."""
+    """Return why a file's text is more than data: [] if it imports by name, changes no other object, runs no text."""
     tree = ast.parse(text)
     of_s = {
         id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Attribute) and node.attr in ("Zero", "One")

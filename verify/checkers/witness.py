@@ -20,8 +20,8 @@ NUMBERS = 13
 
 @dataclass
 class Witness:
-    """The samples of a claim: how many points satisfied its hypotheses, where its conclusion is false, where
-    it, or a quotient or radical that it is about, is undefined (which is not false)."""
+    """The samples of a claim: how many points satisfied its hypotheses, and at which its conclusion is false, or
+    undefined, as is a quotient by 0."""
 
     points: int = 0
     failures: list = field(default_factory=list)
@@ -39,7 +39,7 @@ def length(point: Mapping[Symbol, mpmath.mpf]) -> tuple[int, str]:
 
 
 def printed(point: Mapping[Symbol, mpmath.mpf], digits: int = DIGITS) -> dict[str, str]:
-    """Return a point as {name: text}."""
+    """Return a point as {name: its digits}."""
     return {str(s): mpmath.nstr(v, digits) for s, v in sorted(point.items(), key=lambda p: str(p[0]))}
 
 
@@ -73,7 +73,7 @@ def sample(
 
 
 def _sample_induction(claim, seed, points, attempts):
-    """Sample what is claimed of each of the first numbers."""
+    """Sample an Induction as claims of the first numbers n."""
     witness = Witness()
     for number in range(NUMBERS):
         one = sample(claim.of(number), f"{seed}/{number}", -(-points // NUMBERS), attempts=attempts)
@@ -89,7 +89,7 @@ def _exact(point):
 
 
 def outcome(claim: Claim, at: Point) -> str:
-    """Return "holds", "fails" or "undefined" for the conclusions at the values of the inputs, whatever is given."""
+    """Return "holds", "fails" or "undefined" for the conclusions at values of the inputs; hypotheses are not asked."""
     with mpmath.workdps(WORKING_DIGITS):
         values = _exact(at)
         _, lines = claim.names()

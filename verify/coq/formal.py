@@ -108,9 +108,9 @@ def statements(*wanted: str) -> Statements:
 
 
 def is_formal(theorem: Theorem, accepted: dict | None) -> bool:
-    """Return whether Coq accepted a theorem, by its entry of the record: each claim as it is printed, and what it pins.
+    """Return whether Coq accepted each claim of a theorem and each statement that it pins.
 
-    A Separation is the kernel's alone.
+    accepted: its entry of the record. A Separation is left to the kernel.
     """
     claims = (*theorem.claims, *theorem.rounded)
     names = {f"{theorem.id}__{claim.name}" for claim in claims if not isinstance(claim, Separation)}
@@ -120,7 +120,7 @@ def is_formal(theorem: Theorem, accepted: dict | None) -> bool:
 
 
 def accepted_key() -> str:
-    """Return the key of the files that Coq reads and of their record, to be KEPT where Coq accepted these."""
+    """Return the key of the files that Coq reads and of their record; KEPT has it after Coq accepted them."""
     return key({"sources": coq_hashes(), "record": RECORD.read_text(encoding="utf-8")})
 
 
@@ -130,7 +130,7 @@ def accepted_here() -> bool:
 
 
 def proved(theorems: Iterable[Theorem]) -> set[str]:
-    """Return the ids of the theorems that Coq has proved whole, on the record's word: to be asked once Coq agreed."""
+    """Return the ids of the theorems of which the record has every claim; Coq must have agreed to it before."""
     accepted = record()
     return {theorem.id for theorem in theorems if is_formal(theorem, accepted.get(theorem.id))}
 
@@ -141,7 +141,7 @@ def day() -> str:
 
 
 def when() -> str:
-    """Return where, or on which day, Coq accepted what the record says. No grade rests on what is KEPT here."""
+    """Return where, or on which day, Coq accepted what the record says. KEPT decides the words, and no grade."""
     return "accepted here" if accepted_here() else f"recorded on {day()}, not re-checked here"
 
 
@@ -195,7 +195,7 @@ def compile_files(*wanted: str, before: dict | None = None, again: bool = False,
 
 
 def printed_otherwise() -> list[str]:
-    """Return the names of the printed files that are not what is printed now: another claim could be proved."""
+    """Return the names of the printed files whose text is not the one printed now: it could state another claim."""
     from renderer.generate.__main__ import PRINTED as SOURCES  # not above: it prints, and decides nothing
 
     texts = {FOLDER / path.name: source_of for path, source_of in SOURCES.items() if path.suffix == ".v"}

@@ -33,7 +33,7 @@ def record() -> dict:
 
 
 def reached(text: str, definitions: Mapping[str, str]) -> dict[str, str]:
-    """Return those of the definitions that a text names, and those that they name."""
+    """Return the definitions that a text names, directly or through others."""
     found: dict[str, str] = {}
     texts = [text]
     for each in texts:
@@ -52,15 +52,15 @@ def in_full(name: str, accepted: Mapping[str, dict]) -> str:
 
 
 def digest(text: str) -> str:
-    """Return the digest of a text that is pinned."""
+    """Return the digest by which a text is pinned."""
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
 def why_not_pinned(theorem: Theorem) -> list[str]:
     """Return why Coq's record does not bear a theorem out.
 
-    Of what it pins: another text, none, no false variant refuted, of its own names, no point that exists. Of its
-    claims those of float64, which Coq alone proves, and those that cite a lemma, have to be proved there.
+    A pinned statement must be recorded with that text, with a refuted false variant of its own names, and with a point.
+    Claims of float64, which Coq alone proves, and claims that cite a lemma must be proved there.
     """
     accepted, problems = record(), []
     for claim in (*theorem.rounded, *(claim for claim in theorem.claims if claim.cited)):
@@ -79,6 +79,6 @@ def why_not_pinned(theorem: Theorem) -> list[str]:
 
 
 def _denies(false, text):
-    """Return whether a text says that something is not so, by a third of the names of another text."""
+    """Return whether a text denies something, and uses at least a third of the names of another text."""
     denied, stated = ({*WORD.findall(each.partition("\n\n")[0])} for each in (false, text))
     return false.startswith("~") and 3 * len(denied & stated) >= len(stated)

@@ -14,7 +14,7 @@ from renderer.operations import UNIT
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
 from renderer.scene.scene import BUMPS, MAX_LIGHTS, Scene
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want, numbers_of
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want
 from renderer.shader.rounded_inputs import input_bounds
 from renderer.shader.shader import SLOPES, Group
 from verify.coq.recorder import Recorder
@@ -115,7 +115,7 @@ def recorded_source() -> str:
 def _numbers_of_points(inputs):
     """Return the default scene's numbers, and each point's, with their counts."""
     of, (x, y) = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
-    numbers = np.clip(np.concatenate([*map(np.ravel, numbers_of(SHOT))]), -FAR, FAR)
+    numbers = np.clip(np.concatenate([*map(np.ravel, SHOT.numbers)]), -FAR, FAR)
     pairs = zip_longest([0.0, 0.0, *numbers], [0.0, 0.0, *of["scene_bounds"]], fillvalue=0.0)
     scene = islice(chain(pairs, repeat((0.0, 0.0))), inputs - 2)
     at = [[x[COLUMNS], of["x_bound"][COLUMNS]], [y[ROWS], of["y_bound"][ROWS]]]

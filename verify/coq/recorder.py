@@ -1,11 +1,11 @@
 """A machine that records what it runs as a straight-line program: each line is an operation on earlier lines' numbers.
 
-Operations have Python's names. A condition is no line: a selection has it, and takes what it compares. As of a group in
-which each mask holds for some pixel, all steps are recorded.
+Operations have Python's names. A condition is no line: the selection names it, and takes the numbers that it compares.
+Every branch is recorded, as if each mask held for some pixel.
 """
 
 from collections.abc import Callable, Iterable, Sequence
-from functools import partial, partialmethod
+from functools import partialmethod
 from typing import Any
 
 import numpy as np
@@ -61,7 +61,7 @@ class Recorder(Rows):
         self.x, self.y, *_ = map(self.load, ("x", "y", *planes))
 
     def line(self, operation: str, *numbers: Any, text: Any = "") -> Recorded:
-        """Return a line's number, of a new line unless there is one like it."""
+        """Return the number of a line, a new one unless an equal line is there."""
         line = operation, text, *map(self.place, numbers)
         return Recorded(self, self.lines.setdefault(line, len(self.lines)))
 
@@ -73,16 +73,22 @@ class Recorder(Rows):
         return number.stands_for
 
     def load(self, *name: Any) -> Recorded:
-        """Return an input; name: with the numbers of it, where it is one of several."""
+        """Return the input `name`, with its numbers in brackets where it is one of several."""
         return self.line("input", text=name)
 
     def store(self, name: str, number: Any) -> None:
         """Make a number an output."""
         self.outputs.setdefault(name, []).append(self.place(number))
 
-    sqrt, floor, rint, sinpi, cospi, atan2pi, exp, log, power = map(
-        partial(partialmethod, line), ("sqrt", "floor", "rint", "sinpi", "cospi", "atan2pi", "exp", "log", "power")
-    )
+    sqrt = partialmethod(line, "sqrt")
+    floor = partialmethod(line, "floor")
+    rint = partialmethod(line, "rint")
+    sinpi = partialmethod(line, "sinpi")
+    cospi = partialmethod(line, "cospi")
+    atan2pi = partialmethod(line, "atan2pi")
+    exp = partialmethod(line, "exp")
+    log = partialmethod(line, "log")
+    power = partialmethod(line, "power")
 
     def two_product(self, a: Any, b: Any) -> tuple:
         """Return a product, and its rounding error."""

@@ -87,12 +87,12 @@ def _listed(of: str, names: list[str]) -> list[str]:
 
 
 def names_asked(names: Iterable[str], required: Iterable[str]) -> str:
-    """Return the text of a file that Coq accepts where each of the names is nothing's that it then knows."""
+    """Return the text of a file that Coq accepts if none of the names is taken by then."""
     return "\n".join([*sorted(set(required)), *(f"Fail Check {name}." for name in sorted(set(names))), ""])
 
 
 def read(named: Statements, definitions: list[str], asked: list[list[str]], printed: str) -> dict:
-    """Return the record out of the texts that the two files of the survey print."""
+    """Return the record from the two texts that Coq printed for the files of the survey."""
     *parts, rest = printed.split(SEPARATOR)
     if len(parts) != (number := len(named) + len(definitions) + len(asked) + 1) or rest.strip():
         raise NotAccepted(f"Coq printed {len(parts)} parts, not the {number} of {len(named)} theorems")
@@ -117,7 +117,7 @@ def read(named: Statements, definitions: list[str], asked: list[list[str]], prin
 
 
 def _axioms(theorem: str, printed: str) -> list[str]:
-    """Return the axioms out of what Coq printed; raises NotAccepted for others, and for whatever is not an axiom."""
+    """Return the axioms that Coq printed; raises NotAccepted for one that is not allowed, and for any other text."""
     if printed == CLOSED:
         return []
     heading, _, listed = printed.partition("\n")

@@ -25,11 +25,11 @@ NAMELESS = re.compile(r"\b(?:transparent_)?abstract\b")  # a tactic that gives a
 
 
 class Unreadable(ValueError):
-    """A file says what could change how a statement is read."""
+    """The error that a file could change how a statement is read."""
 
 
 def sentences(text: str) -> list[str]:
-    """Return what a file says, sentence by sentence, without comments, bullets and braces.
+    """Return a file's sentences, without comments, bullets and braces.
 
     Raises Unreadable where a quotation mark or (*) stands in it, with which Coq's comments could end elsewhere, or, but
     for comments, a letter that is not ASCII: it could look like another.
@@ -81,7 +81,7 @@ def named(text: str) -> list[str]:
 
 
 def defined(text: str) -> list[str]:
-    """Return the names of what a file defines, and not only proves: a statement may be said by it."""
+    """Return the names that a file defines, lemmas aside: statements may be made of these."""
     return [match[1] for sentence in sentences(text) if (match := DEFINITION.match(sentence))]
 
 

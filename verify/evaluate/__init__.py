@@ -1,4 +1,4 @@
-"""Lines of formulas in other numbers than float64: printed once for every kind of number, and run one after another.
+"""Evaluator of formulas in other numbers than float64: lines are printed once for all of these, and run in order.
 
 The kinds differ by their tables of names: `MPMATH` here, `BALLS` in the module beside it.
 The text shares the expressions with the kernels and nothing else: arithmetic and the elementary functions are the
@@ -26,13 +26,13 @@ OPERATORS |= {"<=": (operator.le, operator.gt), ">=": (operator.ge, operator.lt)
 
 
 def compare(left: Any, relation: str, right: Any) -> bool | None:
-    """Return whether a relation holds; None where balls, or what is no number, leave it open."""
+    """Return whether a relation holds; None where balls or NaN do not decide it."""
     holds, fails = OPERATORS[relation]
     return True if holds(left, right) else False if fails(left, right) else None
 
 
 def joined(decisive: bool, *conditions: bool | None) -> bool | None:
-    """Return the conjunction of True, False and None, which one False decides, or the disjunction: one True."""
+    """Return the conjunction of True, False and None (open), False if one is, or the disjunction, True if one is."""
     return decisive if decisive in conditions else (None if None in conditions else not decisive)
 
 

@@ -14,7 +14,7 @@ from renderer.machines.enclosing import UNIT, Enclosed, enclosed
 from verify.evaluate.balls import Balls
 
 Inputs = Mapping[str, Any]  # numbers or arrays
-Taken = Callable[[float], flint.arb]  # what an input is taken for
+Taken = Callable[[float], flint.arb]  # from an input to its ball
 BITS, SHAKES = 300, 64  # 50 digits, and 40 to lose
 WIDEST, NOTHING = 2.0**-110, 1e-60  # a ball wider than both, against its size and at all, is no reference
 LIBM = {"sin": np.sin, "cos": np.cos, "acos": np.arccos, "atan2": np.arctan2}
@@ -37,7 +37,7 @@ def _arguments(program, inputs):
 
 
 def _computed(program, inputs, number):
-    """Return {output: Enclosed arrays}; number: what an input's array is taken for."""
+    """Return {output: Enclosed arrays}; number: the function from an input's array to an Enclosed."""
     arguments = _arguments(program, inputs)
     with np.errstate(all="ignore"):
         results = _function(program)(*map(number, arguments))
@@ -57,7 +57,7 @@ def with_bounds(program: Program, inputs: Inputs) -> dict[str, Enclosed]:
 
 
 def in_balls(program: Program, inputs: Inputs, taken: Taken = flint.arb) -> dict[str, np.ndarray]:
-    """Return {output: array of balls}; taken: what an input is taken for, by default its exact value.
+    """Return {output: array of balls}; taken: the function from an input to its ball, by default of its exact value.
 
     A ball that is too wide to judge float64 (an undecided comparison, a division by zero) is None.
     """
@@ -92,7 +92,7 @@ def _narrow(ball):
 
 
 def signed_distance(values: np.ndarray, balls: np.ndarray) -> np.ndarray:
-    """Return values − balls as float64 for numbers or balls; NaN without a reference, infinite where not finite."""
+    """Return values − balls as float64; NaN where a ball is None, infinite where a value is not finite."""
     with flint.ctx.workprec(BITS):
         return np.asarray(np.frompyfunc(_minus, 2, 1)(values, balls), np.float64)
 

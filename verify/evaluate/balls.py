@@ -22,7 +22,7 @@ def power(base: arb, exponent: arb) -> arb:
 
 
 def root(value: arb) -> arb:
-    """Return √value likewise; there is none of a ball below 0."""
+    """Return √value; a ball that reaches below 0 is cut off there, and one below 0 has none."""
     high = value.upper()
     return arb(0).union(high.sqrt()) if high > 0 and not value > 0 else value.sqrt()
 

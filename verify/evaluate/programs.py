@@ -1,4 +1,4 @@
-"""Ways to take the gradient as straight-line programs: naive, algebraic for given wave numbers, of higher order.
+"""Programs of other gradients: naive, with rounded products, algebraic for given wave numbers, of higher order.
 
 A difference is Σ wᵢ (h(u + cᵢε) − h(u − cᵢε))/2cᵢε. No wrapping, no clamping: for points clear of the chart's ends.
 """

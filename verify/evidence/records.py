@@ -81,7 +81,7 @@ def _git(*arguments):
 
 
 def label(packages: Iterable[str]) -> dict[str, Any]:
-    """Return where, with what and when, as text: machine (all of it), processor, python, date, commit."""
+    """Return where, with what and when a run is made, as text: machine, processor, python, date, commit."""
     python, versions = f"Python {platform.python_version()}", [f"{name} {version(name)}" for name in packages]
     return {
         "machine": ", ".join([processor(), f"{available_cores()} cores", python, *versions]),
@@ -96,7 +96,7 @@ def label(packages: Iterable[str]) -> dict[str, Any]:
 def code_of(name: str) -> dict[str, str]:
     """Return {file: its hash} of all code that a record's run can reach, and {library: version} of what the lock pins.
 
-    Data beside the code are of it, and tests where the run is about them; prose, comments and records never are.
+    Data files beside the code belong to it, and tests if the run is about them; prose, comments and records do not.
     """
     reached: set[Path] = set()
     for begin in (path for pattern in RECORDS[name].begins for path in ROOT.glob(pattern)):
@@ -148,7 +148,7 @@ def why_stale(name: str) -> str | None:
 
 @cache
 def remark(name: str) -> str | None:
-    """Return what has to be said beside numbers of a stale record; None beside others. It is asked once a process."""
+    """Return the remark that a stale record's numbers need, None for a fresh one; found once a process."""
     if not why_stale(name):
         return None
     return f"measured at commit {read(name)['label']['commit']}; the code has changed since"
@@ -159,8 +159,8 @@ def command(
 ) -> dict[str, Any]:
     """Run a record's command line and return what measure(**options) found; print its numbers, and write the record.
 
-    options: {name: default}, a whole number above 0, a text, a list, or False for a flag. Unless a folder is given,
-    only what was measured with the defaults is kept.
+    options: {name: default}, a whole number above 0, a text, a list, or False for a flag. The record is written only of
+    a run with the defaults, unless a folder is given.
     """
     formatter = argparse.RawDescriptionHelpFormatter
     parser = argparse.ArgumentParser(f"python {RECORDS[name].command}", description=doc, formatter_class=formatter)

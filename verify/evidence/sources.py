@@ -52,14 +52,14 @@ def reachable(source: Path) -> set[Path]:
     source = source.resolve()
     around = place(source).with_suffix("").parts if any(map(source.is_relative_to, (ROOT, HOME))) else ()
     files = followed({source, *_module_files(".".join(around))})
-    code_only = {PROJECT.pages, PROJECT.folder(PROJECT.figures), HOME / "book"}  # what lies beside these is prose
+    code_only = {PROJECT.pages, PROJECT.folder(PROJECT.figures), HOME / "book"}  # other files beside these are prose
     folders = {path.parent for path in files} - code_only
     beside = [path for folder in folders for path in folder.iterdir() if path.is_file()]
     return files | {path for path in beside if path.suffix not in {".py", ".pyc"} and not path.name.startswith(".")}
 
 
 def followed(waiting: set[Path]) -> set[Path]:
-    """Return the files, and the repository's modules that they import, directly or not."""
+    """Return the files and the modules of this repository that they import, directly or not."""
     files: set[Path] = set()
     waiting = set(waiting)
     while waiting:

@@ -13,7 +13,7 @@ from proofs.engine.theorem import all_theorems
 
 
 def problems() -> Iterator[str]:
-    """Yield why the claims of a theorem are not those of its stored certificates, for each of which that is so."""
+    """Yield, for each theorem whose claims are not those of its stored certificates, why."""
     for theorem in all_theorems().values():
         try:
             if theorem.claims:

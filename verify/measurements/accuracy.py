@@ -59,7 +59,7 @@ def _toward_the_pole(sine):
     false={"the stable forms lose as much": {"seed_form": 2}, "the fallback helps": {"with_fallback": 1}},
 )
 def at_two_latitudes(seed_form: int = 1, with_fallback: int = 0) -> Measurement:
-    """Measure forms toward the pole: the seed's lose digits, its fallback all of them; the stable ones none."""
+    """Measure g near the pole: the seed's form loses digits, the seed's fallback all of them, the stable forms none."""
     near, nearer = _toward_the_pole(1.01e-4), _toward_the_pole(6e-7)
     return Measurement(
         np.concatenate([near[2], nearer[2]]),

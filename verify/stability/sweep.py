@@ -31,7 +31,7 @@ class Sweep:
 
     @property
     def escaped(self) -> int:
-        """The number of errors above their bound, or have no reference, or no finite bound."""
+        """The number of errors that are above their bound, or without a reference or a finite bound."""
         return int(np.count_nonzero(~((self.errors <= self.bounds) & np.isfinite(self.bounds))))
 
     @property
@@ -63,8 +63,8 @@ def measured(
 ) -> Sweep:
     """Return the Sweep of our numbers, with bounds, against what a program computes without rounding.
 
-    ours: by default the program's own. scales: {output: by what its errors are divided}, if not by 1. others: {name:
-    {output: array}} of other ways to compute the same. norm: what is taken of the outputs' errors, given all of them.
+    ours: by default the program's own. scales: {output: the divisor of its errors}, by default 1. others: {name:
+    {output: array}} of other ways to compute the same. norm: the function from the errors of all outputs to one.
     """
     ours, scales = ours or with_bounds(exact, inputs), scales or {s.name: 1.0 for s in exact.outputs}
     truth, values = in_balls(exact, inputs), {name: ours[name].value for name in scales}

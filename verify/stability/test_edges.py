@@ -32,7 +32,7 @@ EDGES = [  # fields at the edge, fields just past it, what the message names
 
 @pytest.mark.parametrize("edge, past, named", EDGES)
 def test_an_edge(edge, past, named):
-    """By both forms of the exact gradient and by a difference, in numbers from 0 to 1."""
+    """Both forms of the exact gradient and a difference draw colours from 0 to 1."""
     for method in (exact(), exact("general"), central(1e-3)):
         with np.errstate(all="raise"):
             frame = render(Scene(**edge), 24, 20, method)

@@ -1,4 +1,4 @@
-"""Every stress sweep stays under its bounds, and the bounds say something; what maps show is so."""
+"""Every stress sweep stays under its bounds, and these are not far too large; facts that maps show."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ ALLOWED = 8 * UNIT
 
 @pytest.mark.parametrize("name", SWEEPS)
 def test_no_point_escapes_its_bound(name):
-    """And the bounds say something: errors add up like a random walk, bounds like a sum, some tens lie between them."""
+    """Nor are bounds far too large: errors add up like a random walk, bounds like a sum: some tens lie between."""
     measured = sweep(name)
     assert measured.escaped == 0
     assert measured.points >= 500
@@ -27,7 +27,7 @@ def test_no_point_escapes_its_bound(name):
 
 
 def test_formulas_that_cancel_are_above_30_responses():
-    """The seed's, though it is the same in exact arithmetic."""
+    """The seed's formula cancels, though it is the same in exact arithmetic."""
     for name in ("pole", "near_to_far"):
         assert sweep(name).in_responses("seed") > 30
     at = image_points(np.linspace(0.1, 1, 9), 5, 1) | {"radius": 1.25}

@@ -69,9 +69,9 @@ function check_all(place, read, clerk) {
     set_attributes(bar, { max: certificates, value: 0 });
     await Promise.all(asked);
     const good = `${theorems.length - rejected.length} of ${theorems.length} theorems, ${certificates} in all`;
-    const spent = seconds(performance.now() - begin);
+    const spent = ((performance.now() - begin) / 1000).toFixed(1);
     const names = rejected.length ? ` Rejected: ${rejected.join(", ")}.` : "";
-    const words = `: the certificates of ${good}, in ${spent}, by this browser.${names}`;
+    const words = `: the certificates of ${good}, in ${spent} s, by this browser.${names}`;
     return [verdict_line(rejected.length ? "Rejected" : "Accepted", words)];
   }
 

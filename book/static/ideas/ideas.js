@@ -1,10 +1,11 @@
 // What the small interactives share: a stage in the place of the still picture, panels to draw on, handles and sliders.
-// What they show is computed by the simulator's module (book/simulator_module.py); here things are only drawn.
+// What they show is computed by the simulator's module (book/programs/simulator_module.py); here things are only drawn.
 "use strict";
 
 /** @type {Record<string, Idea>} */
 const IDEAS = {};
-const BAND = 64; // rows of a picture
+const SIDE = 128; // pixels of a small picture
+const EXACT = { name: "exact" };
 const SURFACES = ["nothing", "sphere A", "sphere B", "the floor"];
 
 /**
@@ -66,6 +67,9 @@ function program_lines(module, data, name, inputs) {
   return Object.fromEntries(program.lines.map((line, n) => [line, values[n]]));
 }
 
+/** So many pixels a side, of a picture that has as many or more. @param {number} whole */
+const raster_of = (whole, side = SIDE) => ({ width: whole, height: whole, left: 0, top: 0, wide: side, high: side });
+
 /** The stage of a figure: it replaces the still picture as soon as it has been drawn. @param {HTMLElement} figure */
 function idea_stage(figure) {
   const root = make_element("div", { class: "idea-stage" });
@@ -114,10 +118,10 @@ function idea_stage(figure) {
   }
 
   /**
-   * A labelled slider; return what sets it.
+   * A labelled slider; return what sets it from elsewhere.
    * @param {string} label
    * @param {{ min: number, max: number, step: number, value: number }} range
-   * @param {(number: number) => void} changed has it set
+   * @param {(number: number) => void} changed
    * @param {(number: number) => string} say
    */
   function slider(label, range, changed, say = (number) => decimal(number, 3)) {
@@ -131,30 +135,25 @@ function idea_stage(figure) {
       shown.textContent = say(number);
       input.setAttribute("aria-valuetext", say(number));
     }
-    input.addEventListener("input", () => changed(input.valueAsNumber));
+    input.addEventListener("input", () => {
+      put(input.valueAsNumber);
+      changed(input.valueAsNumber);
+      redraw();
+    });
     put(range.value);
     return put;
   }
 
-  /**
-   * Return what draws the renderer's picture of a state into a canvas of so many pixels a side.
-   * @param {Element} parent
-   * @param {number} size
-   * @param {string} label
-   */
-  function picture(parent, size, label) {
-    const canvas = add_element(parent, "canvas", { width: size, height: size, role: "img", "aria-label": label });
-    // In bands, each in a task of its own: together they take as long as all else that is drawn.
-    /** @param {SimulatorModule} module @param {SceneState} state @param {Raster} raster */
-    return (module, state, raster) => {
-      for (let row = 0; row < size; row += BAND)
-        setTimeout(() => {
-          const stage = module.make_stage(state, { ...raster, top: raster.top + row, high: BAND });
-          module.render(state, { name: "exact" }, stage);
-          module.paint("paint_colors", stage, "picture", { whole: true });
-          const image = new ImageData(module.bytes(stage, "picture", [0, BAND]), stage.pitch);
-          canvas.getContext("2d")?.putImageData(image, 0, row);
-        });
+  /** Three small pictures beside each other, with their names; return what shows those of a stage. @param {string[]} names */
+  function three(...names) {
+    const row = add_element(root, "div", { class: "idea-three" });
+    for (const [n, name] of names.entries()) add_element(row, "b", { class: PICTURES[n] }, name);
+    const canvases = names.map((name) =>
+      add_element(row, "canvas", { width: SIDE, height: SIDE, role: "img", "aria-label": name })
+    );
+    /** @param {SimulatorModule} module @param {Stage} part */
+    return (module, part) => {
+      for (const [n, picture] of PICTURES.entries()) module.put_into(canvases[n], part, picture);
     };
   }
 
@@ -174,7 +173,7 @@ function idea_stage(figure) {
     root,
     panel,
     slider,
-    picture,
+    three,
     says: () => add_element(root, "p", { class: "idea-says" }),
     redraw,
     begin

@@ -5,34 +5,26 @@
 const pitfall_of =
   ({ label, range, name, changes, eps, zoom, at, words }) =>
   (stage, module, data) => {
-    const SIDE = 128;
-    const row = add_element(stage.root, "div", { class: "idea-three" });
-    const pictures = ["numeric", "symbolic", "difference"];
-    for (const picture of pictures) add_element(row, "b", { class: picture }, picture);
-    const canvases = pictures.map((picture) =>
-      add_element(row, "canvas", { width: SIDE, height: SIDE, role: "img", "aria-label": picture })
+    const show = stage.three(...PICTURES);
+    let { value } = range;
+    stage.slider(
+      label,
+      range,
+      (to) => {
+        value = to;
+      },
+      name
     );
-    let value = range.value;
-    /** @param {number} to */
-    function set(to) {
-      value = to;
-      put(to);
-      stage.redraw();
-    }
-    const put = stage.slider(label, range, set, name);
     const says = stage.says();
     return () => {
       const state = scene_state(data, { field: "sine", ...changes(value) });
       const whole = Math.round(SIDE * zoom(value));
-      const raster = { width: whole, height: whole, left: 0, top: 0, wide: SIDE, high: SIDE };
+      const raster = raster_of(whole);
       const middle = module.placing_in(raster)(at * module.radius_of_a, 0);
       const [left, top] = middle.map((to) => clamp(0, Math.round(to) - SIDE / 2, whole - SIDE));
       const part = module.make_stage(state, { ...raster, left, top });
-      module.draw_pair(state, { numeric: { name: "central", eps: eps(value) }, symbolic: { name: "exact" } }, part);
-      for (const [n, canvas] of canvases.entries()) {
-        const image = new ImageData(module.bytes(part, pictures[n], [0, SIDE]), SIDE);
-        canvas.getContext("2d")?.putImageData(image, 0, 0);
-      }
+      module.draw_pair(state, { numeric: { name: "central", eps: eps(value) }, symbolic: EXACT }, part);
+      show(module, part);
       says.textContent = words(value, module.gradients(state, part)[1]);
     };
   };

@@ -3,7 +3,7 @@
 
 IDEAS.pixel_worked = (stage, module, data) => {
   const SIZE = 256;
-  const raster = { width: SIZE, height: SIZE, left: 0, top: 0, wide: SIZE, high: SIZE };
+  const raster = raster_of(SIZE, SIZE);
   const [xs, ys] = module.image_points(raster);
   const outputs = find_all(stage.figure, "[data-line]");
   let column = 104;
@@ -19,14 +19,23 @@ IDEAS.pixel_worked = (stage, module, data) => {
   }
 
   const panel = stage.panel("The scene, and the pixel that is worked through", SIZE);
-  const paint = stage.picture(panel.box, SIZE, "the chapter's scene");
+  const canvas = add_element(panel.box, "canvas", {
+    width: SIZE,
+    height: SIZE,
+    role: "img",
+    "aria-label": "the chapter's scene"
+  });
   panel.box.classList.add("idea-picture");
   const put_pixel = panel.handle("the pixel, column and row", [0, SIZE - 1], set, (right, up) =>
     set(column + right, row - up)
   );
   const swatch = add_element(stage.root, "div", { class: "idea-swatch" });
   const told = stage.says();
-  paint(module, scene_state(data), raster);
+  const scene = scene_state(data);
+  const part = module.make_stage(scene, raster);
+  module.render(scene, EXACT, part);
+  module.paint("paint_colors", part, "picture", { whole: true });
+  module.put_into(canvas, part, "picture");
 
   return () => {
     const place = { x: xs[column], y: ys[row] };

@@ -32,10 +32,8 @@ IDEAS.slope_is_texture = (stage, module, data) => {
   const profile = stage.panel("The height along the circle, and its slope", HIGH);
   const range = { min: 0, max: 0.5, step: 0.005 };
   const put_beta = stage.slider("bump β", { ...range, value: beta }, (to) => set(u, to));
-  const put_raised = stage.slider("raised by", { ...range, value: raised }, (to) => {
+  stage.slider("raised by", { ...range, value: raised }, (to) => {
     raised = to;
-    put_raised(raised);
-    stage.redraw();
   });
   const says = stage.says();
   const on_profile = profile.handle("the point on the circle, u", RANGE, (x) => set(u_at(x), beta), step);

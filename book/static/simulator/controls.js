@@ -29,30 +29,20 @@ function simulator_controls(root, states, act) {
     return act.state().lights.map((on, n) => (n === Number(input.dataset.index) ? input.checked : on));
   }
 
-  /** @param {Holder} holder @param {HTMLInputElement} input */
-  function attempt(holder, input) {
+  /** A formula that is being typed is drawn whenever it can be read, and else left alone. @param {Holder} holder @param {HTMLInputElement} input */
+  function attempt(holder, input, is_typing = false) {
     try {
       const value = value_of(holder, input);
       say(holder, "");
       shown = { ...shown, [holder.name]: null }; // what was typed is written anew
       act.set({ [holder.name]: value });
     } catch (error) {
+      if (is_typing) return;
       say(holder, error_text(error));
       const { at, length, text } = /** @type {{ at?: number, length: number, text: string }} */ (error);
       if (at === undefined || input !== document.activeElement) return;
       input.value = text; // in the letters that were read
       input.setSelectionRange(at, at + length);
-    }
-  }
-
-  // A formula is drawn while it is typed, whenever it can be read.
-  /** @param {Holder} holder @param {HTMLInputElement} input */
-  function attempt_quietly(holder, input) {
-    try {
-      act.set({ [holder.name]: value_of(holder, input) });
-      say(holder, "");
-    } catch {
-      // It is not finished yet; `attempt` says what is wrong.
     }
   }
 
@@ -86,11 +76,9 @@ function simulator_controls(root, states, act) {
   }
 
   for (const holder of holders) {
-    for (const input of holder.inputs)
+    for (const input of holder.inputs) {
       input.addEventListener(input.type === "range" ? "input" : "change", () => attempt(holder, input));
-    if (holder.name === "h") {
-      const [input] = holder.inputs;
-      input.addEventListener("input", () => attempt_quietly(holder, input));
+      if (holder.name === "h") input.addEventListener("input", () => attempt(holder, input, true));
     }
   }
   return { show, clear };

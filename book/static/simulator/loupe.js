@@ -9,7 +9,6 @@
  * @param {Act} act
  */
 function simulator_loupe(root, states, data, module, act) {
-  const NAMES = ["numeric", "symbolic", "difference"];
   const SIDE = 16;
   const APART = SIDE + 1;
   const MIDDLE = [SIDE / 2, SIDE / 2];
@@ -42,10 +41,7 @@ function simulator_loupe(root, states, data, module, act) {
     };
     const stage = module.make_stage(state, raster);
     colors = module.draw_pair(state, module.methods_of(state), stage);
-    for (const [n, name] of NAMES.entries()) {
-      const image = new ImageData(module.bytes(stage, name, [0, SIDE]), SIDE);
-      canvas.getContext("2d")?.putImageData(image, APART * n, 0);
-    }
+    for (const [n, name] of PICTURES.entries()) module.put_into(canvas, stage, name, APART * n);
   }
 
   /** Mark a pixel of the lenses, and say what its values are. @param {number[]} place */

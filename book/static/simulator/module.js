@@ -1,5 +1,5 @@
 // The compiled shader and kernels: their memory, and calls of them. What they compute is written in renderer/shader/shader.py
-// and in proofs/; the numbers beside them, Simulator.data, in book/simulator_module.py.
+// and in proofs/; the numbers beside them, Simulator.data, in book/programs/simulator_module.py.
 "use strict";
 
 /**
@@ -415,6 +415,12 @@ async function simulator_module(data, ...programs) {
       4 * stage.pitch * (last - first)
     );
 
+  /** Put a painted picture into a canvas. @param {HTMLCanvasElement} canvas @param {Stage} stage @param {string} name */
+  function put_into(canvas, stage, name, left = 0) {
+    const image = new ImageData(bytes(stage, name, [0, stage.raster.high]), stage.pitch);
+    canvas.getContext("2d")?.putImageData(image, left, 0);
+  }
+
   /**
    * Draw A, all of it or some rows.
    * @param {SceneState} state
@@ -507,14 +513,14 @@ async function simulator_module(data, ...programs) {
   }
 
   /**
-   * Draw and paint whole pictures by two methods, and their difference; return the colours of both.
+   * Draw and paint whole pictures by two methods, which may change the scene, and their difference; return both's colours.
    * @param {SceneState} state
-   * @param {Record<string, Method>} methods
+   * @param {Record<string, Method & { scene?: Partial<SceneState> }>} methods
    * @param {Stage} stage
    */
   function draw_pair(state, methods, stage) {
     const colors = Object.entries(methods).map(([name, method]) => {
-      const planes = render(state, method, stage, name);
+      const planes = render({ ...state, ...method.scene }, method, stage, name);
       paint("paint_colors", stage, name, { whole: true });
       return planes;
     });
@@ -755,6 +761,7 @@ async function simulator_module(data, ...programs) {
     paint,
     fill,
     bytes,
+    put_into,
     render,
     draw_pair,
     chart: points_of_a,

@@ -8,12 +8,10 @@
  * @param {SimulatorModule} module
  */
 function simulator_pictures(root, states, data, module) {
-  const NAMES = ["numeric", "symbolic", "difference"];
   const POINTS = 257;
-  const TICK = 10; // pixels of the page
   const HEAD = 33; // bytes of a PNG's signature and first chunk
   const along = float64s(POINTS, (n) => n / (POINTS - 1));
-  const boxes = NAMES.map((name) => find_element(root, `[data-picture="${name}"]`));
+  const boxes = PICTURES.map((name) => find_element(root, `[data-picture="${name}"]`));
   /** @param {string} selector @returns {HTMLCanvasElement[]} */
   const canvases = (selector) => boxes.map((box) => find_element(box, selector));
   const overlays = canvases(".over");
@@ -61,7 +59,7 @@ function simulator_pictures(root, states, data, module) {
       const first = part.begin + top;
       if (name === "difference") into.levels.set(bytes, 4 * first * band.wide);
       else if (bytes.length)
-        context_of(into.bases[NAMES.indexOf(name)], false).putImageData(new ImageData(bytes, band.wide), 0, first);
+        context_of(into.bases[PICTURES.indexOf(name)], false).putImageData(new ImageData(bytes, band.wide), 0, first);
     }
     if (!codes) return;
     const on_a = new ImageData(band.wide, band.high);
@@ -85,7 +83,7 @@ function simulator_pictures(root, states, data, module) {
     if (!shown) return;
     for (const [n, canvas] of seen.bases.entries()) {
       const room = sides[n] || seen.side;
-      if (NAMES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
+      if (PICTURES[n] === "difference") put_difference(canvas, Math.min(seen.side, room));
       canvas.classList.toggle("smooth", canvas.width > room / 2 && room % canvas.width > 0);
     }
   }
@@ -98,42 +96,28 @@ function simulator_pictures(root, states, data, module) {
   }
 
   /**
-   * Draw the creases as far as they are seen, over A alone; or else a tick beyond each end of them.
+   * Draw the creases as far as they are seen, over A alone.
    * @param {CanvasRenderingContext2D} context
    * @param {State} state
-   * @param {boolean} whole
    */
-  function draw_loci(context, state, whole) {
+  function draw_loci(context, state) {
     const place = module.placing_in(states.crop(state));
     const { eye, radius } = data.scene;
     const { width } = context.canvas;
     const zoom = width / state.size;
-    const ratio = width / context.canvas.clientWidth;
     /** @param {number} x @param {number} y @returns {Point} */
     const scaled = (x, y) => {
       const [right, below] = place(x, y);
       return [right * zoom, below * zoom];
     };
-    const [middle_x, middle_y] = scaled(0, 0);
     let path = "";
     for (const { a, b, level } of module.crease_lines(state)) {
       const [x, y] = module.kernel_over("crease_point", a, b, level, along, eye, radius);
-      const points = Array.from(x, (_, n) => scaled(x[n], y[n]));
-      if (whole) path += line_path(points);
-      else {
-        const ends = points.filter(
-          ([right], n) => !Number.isNaN(right) && n + 1 < POINTS && Number.isNaN(points[n + 1][0])
-        );
-        for (const [right, below] of ends) {
-          const share = (TICK * ratio) / Math.hypot(right - middle_x, below - middle_y);
-          path += `M${right} ${below}l${share * (right - middle_x)} ${share * (below - middle_y)}`;
-        }
-      }
+      path += line_path(Array.from(x, (_, n) => scaled(x[n], y[n])));
     }
-    context.lineWidth = Math.max(1, ratio);
+    context.lineWidth = Math.max(1, width / context.canvas.clientWidth);
     context.strokeStyle = "white";
     context.stroke(new Path2D(path));
-    if (!whole) return;
     context.globalCompositeOperation = "destination-in";
     context.imageSmoothingEnabled = false;
     context.drawImage(seen.mask, 0, 0, width, width);
@@ -144,17 +128,16 @@ function simulator_pictures(root, states, data, module) {
   function decorate(state = shown) {
     if (!shown || !state) return;
     const { size, zoom, left, top, view, field, ku, kv } = shown;
-    const whole = view === "loci";
     const [across, down] = states.share_of_cursor({ ...shown, column: state.column, row: state.row });
     root.style.setProperty("--across", `${100 * across}%`);
     root.style.setProperty("--down", `${100 * down}%`);
-    const key = [size, zoom, left, top, whole, field, ku, kv, ...sides].join();
+    const key = [size, zoom, left, top, view, field, ku, kv, ...sides].join();
     if (key === decorated) return;
     decorated = key;
     for (const [n, canvas] of overlays.entries()) {
-      canvas.hidden = !whole && NAMES[n] !== "difference";
+      canvas.hidden = view !== "loci";
       resize(canvas, sides[n]);
-      if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown, whole);
+      if (!canvas.hidden && canvas.width) draw_loci(context_of(canvas), shown);
     }
   }
 
@@ -189,7 +172,7 @@ function simulator_pictures(root, states, data, module) {
 
   /** A picture with all of its pixels. @param {string} name */
   function canvas_of(name) {
-    const canvas = seen.bases[NAMES.indexOf(name)];
+    const canvas = seen.bases[PICTURES.indexOf(name)];
     if (name !== "difference") return canvas;
     const whole = document.createElement("canvas");
     put_difference(whole, seen.side);

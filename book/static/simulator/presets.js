@@ -88,7 +88,6 @@ function simulator_presets(root, states, act) {
     now = null;
     if (play.contains(document.activeElement)) asked_by.focus({ preventScroll: true });
     play.hidden = true;
-    root.classList.remove("sim-running");
   }
 
   /** @param {string} experiment @param {HTMLElement} button */
@@ -102,7 +101,6 @@ function simulator_presets(root, states, act) {
     const { size, column, row } = states.zoomed(act.state(), { zoom: 0 });
     act.replace({ ...states.start(), size, column, row, ...begun.begin });
     play.hidden = false;
-    root.classList.add("sim-running");
     pause_button.focus({ preventScroll: true }); // a space bar would begin anew
     if (!no_motion.matches) {
       share = 0;
@@ -122,7 +120,6 @@ function simulator_presets(root, states, act) {
     const [from, to] = [Number(dataset.from), Number(dataset.to)];
     now = { says: "", begin: {}, moves: name, from, to, still: from, seconds: 10 };
     play.hidden = false;
-    root.classList.add("sim-running");
     const value = name === "eps" ? Math.log10(act.state().eps) : act.state()[name];
     share = name === "lamp" ? 0 : clamp(0, rescaled(value, from, to, 0, 1), 1);
     if (!no_motion.matches) go_on();

@@ -66,7 +66,6 @@ function simulator_readouts(root, data, module) {
     const { method, eps, scale, zoom, view } = state;
     const gain = scale === "1e0" ? "" : ` × ${short(Number(scale))}`;
     put("[data-title=numeric]", `${$(`#sim-method [value=${method}]`).textContent}, ε = ${short(eps)}`);
-    root.classList.toggle("sim-both-step", "eps" in module.methods_of(state).symbolic);
     put("[data-title=difference]", `|ΔI|${Number(scale) ? gain : ", logarithmic"}`);
     name_pictures(state);
     put(".sim-zoom output", zoom ? `${(2 ** (zoom / 2)).toPrecision(3)} ×` : "1 ×");
@@ -76,7 +75,6 @@ function simulator_readouts(root, data, module) {
     $(".sim-legend").innerHTML = legends
       .map(([color, words]) => `<span><i style="background:${color}"></i> ${words}</span>`)
       .join(" ");
-    $("#certified").hidden = view !== "bounds";
   }
 
   /** Give every picture a name that says what it shows now. @param {State} state */

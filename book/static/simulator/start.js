@@ -66,7 +66,6 @@ function simulator_start(root, compiled, module) {
     const redraw = drawn_key(next) !== drawn_key(state);
     module.own_of(next); // which refuses what is not finite
     state = next;
-    root.classList.toggle("sim-typed", state.field === "own");
     if (redraw) engine.ask(state);
     else pictures.decorate(state);
     controls.show(state);
@@ -79,10 +78,12 @@ function simulator_start(root, compiled, module) {
     saved = setTimeout(put_into_address, 300);
   }
 
-  // What changes the pictures is a step that can be undone; where the cursor is, is none. The browser's Back leaves the page.
-  function put_into_address() {
-    history.replaceState(null, "", states.fragment(state));
-    if (drawn_key(state) === drawn_key(addressed)) return;
+  // What changes the pictures is a step that can be undone; where the cursor is, is none, and leaves the address of another
+  // place as it is. The browser's Back leaves the page.
+  function put_into_address(is_asked = false) {
+    const is_step = drawn_key(state) !== drawn_key(addressed);
+    if (is_asked || is_step || /^(#sim|$)/.test(location.hash)) history.replaceState(null, "", states.fragment(state));
+    if (!is_step) return;
     past.push(addressed);
     undone.length = 0;
     addressed = state;
@@ -263,29 +264,27 @@ function simulator_start(root, compiled, module) {
     },
     copy: () => copy(states.python(state), $(".sim-python code")),
     link(_, button) {
-      put_into_address();
+      put_into_address(true);
       copy(location.href, button);
     }
   };
 
   // The loupe and the certified bounds are fetched when they are first in sight; the one file has them.
-  function watch_closer() {
-    const watch = new IntersectionObserver(async (entries) => {
-      if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
-      watch.disconnect();
-      const parts = await closer_parts(data, compiled);
-      const [all, ...programs] = parts;
-      const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
-      const certified = simulator_certified(root, states, parts, pictures.show_bounds);
-      function show() {
-        loupe.show(state);
-        certified.ask(state);
-      }
-      root.addEventListener("pixel", show);
-      root.addEventListener("state", () => certified.ask(state));
-      show();
-    });
-    for (const box of ["#loupe", "#certified"]) watch.observe($(box));
+  let is_close = false;
+  async function look_closer() {
+    if (is_close) return;
+    is_close = true;
+    const parts = await closer_parts(data, compiled);
+    const [all, ...programs] = parts;
+    const loupe = simulator_loupe(root, states, all, await simulator_module(all, ...programs), act);
+    const certified = simulator_certified(root, states, parts, pictures.show_bounds);
+    function show() {
+      loupe.show(state);
+      certified.ask(state);
+    }
+    root.addEventListener("pixel", show);
+    root.addEventListener("state", () => certified.ask(state));
+    show();
   }
 
   // Take the state of the address, if it has one; say what is wrong with it, if anything is.
@@ -310,20 +309,14 @@ function simulator_start(root, compiled, module) {
     for (const button of find_all(root, `button[data-${name}]`))
       button.addEventListener("click", () => work(button.getAttribute(`data-${name}`) ?? "", button));
   }
-  watch_closer();
+  when_near(["#loupe", "#certified"].map($), look_closer, "0%");
   controls.show(state);
   lamp.show(state);
   fit(); // before anything is drawn in it, which else moves once more
-  const is_addressed = from_address();
-  if (is_addressed) root.scrollIntoView();
+  if (from_address()) root.scrollIntoView();
   addressed = state;
   engine.start();
-  const opening = new IntersectionObserver(([{ isIntersecting }]) => {
-    if (!isIntersecting) return;
-    opening.disconnect();
-    if (!is_addressed) presets.open();
-  });
-  opening.observe(root);
+  if (!location.hash || root.closest(":target")) when_near([root], presets.open, "0%");
   document.addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || is_typed(event) || !"zy".includes(event.key.toLowerCase())) return;
     event.preventDefault();

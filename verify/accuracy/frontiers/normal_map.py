@@ -39,9 +39,9 @@ def _in_frame(program, scene, h_u, h_v):
 
 
 def baked(scene: Scene, texels: int, method: GradientMethod) -> np.ndarray:
-    """Return the normal map: unit normals at (i/texels, j/texels), (3, texels, texels).
+    """Return the normal map of a scene's bump: unit normals at (u, v) = (i, j)/texels, (3, texels, texels).
 
-    The field has to have the period 1 in u and v, as those of the chapter have for even k_u and k_v.
+    `fetched` repeats the map, so the field must have period 1 in u and v: the chapter's have, for even k_u and k_v.
     """
     u, v = np.mgrid[0:texels, 0:texels] / texels
     return tangent_normal(scene, u, v, method)

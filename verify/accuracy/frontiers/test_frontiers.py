@@ -17,7 +17,7 @@ def test_a_creased_map_converges_like_a_root():
 
 
 def test_the_derivative_in_beta_is_lost_between_the_centres():
-    """It is an identity in g, but a map keeps no g: what its normals say of g is the filter's."""
+    """The slope in β is an identity in g, but a map stores no g, and the g of interpolated normals is the filter's."""
     coarse, fine = (normal_map.derivative_errors("sine", texels) for texels in FINER[1:])
     assert rms(coarse) / rms(fine) == pytest.approx(4, rel=0.2)
     assert fine.max() > 0.01
@@ -31,7 +31,7 @@ def test_it_is_exact_at_the_centres():
 
 
 def test_the_pipelines_meet_in_the_map():
-    """Their difference is that of the formulas, and far below what the texels cost either."""
+    """The pipelines' maps differ as their formulas do, far less than the texels make either wrong."""
     errors, apart = normal_map.errors("sine", FINER), normal_map.without_a_map("sine")
     assert errors["between"] == pytest.approx(apart, rel=0.1)
     assert (errors["symbolic"] > 30 * errors["between"]).all()

@@ -15,8 +15,8 @@ from PIL import ImageColor
 
 from book.drawing.palette import OF_TERMS
 from book.editions.inlined import base64_gzip
-from book.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
-from book.webassembly import LANES, compiled_module, emitted
+from book.programs.painting_code import NUMBERS, PAINTERS, PAINTING, SIZE_BITS, SRGB_CELLS
+from book.programs.webassembly import LANES, compiled_module, emitted
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
 from renderer import Light, Scene, kernels
@@ -29,7 +29,7 @@ from renderer.machines.points_code import inputs_of
 from renderer.operations import where
 from renderer.picture.views import DIVERGING
 from renderer.scene.raster import Raster
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, numbers_of, scene_numbers, style_of
+from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, SHADOWS, Shot, Want, scene_numbers
 from renderer.shader.shader import ANGLES, CHART, PLANES, SLOPES, WORK
 from renderer.shader.slopes import sloped_group
 from verify.accuracy.creases import crease_point, crease_rates
@@ -49,7 +49,7 @@ BY = {
     "by_lamp": "lights[0].position[0]",
 }  # {view: by what it has the picture's slope}
 
-OFF_A = Want((FLAT,), tuple(map(style_of, MODELS.values())), SCENE.shininess.is_integer())
+OFF_A = Want((FLAT,), tuple(Shot(scene).want.lights[0] for scene in MODELS.values()), SCENE.shininess.is_integer())
 WANTS = {
     "draw_chambers": OFF_A._replace(colors=False),
     "draw_elsewhere": OFF_A._replace(chambers_known=True, surfaces="elsewhere"),
@@ -121,7 +121,7 @@ def _scenes():
     scenes = {}
     for ball, *on in product((False, True), repeat=1 + len(SCENE.lights)):
         lights = tuple(a if lit else Light(a.position, None) for a, lit in zip(SCENE.lights, on, strict=True))
-        numbers, rows = numbers_of(Shot(replace(SCENE, ball=ball, lights=lights)))
+        numbers, rows = Shot(replace(SCENE, ball=ball, lights=lights)).numbers
         scenes["".join(str(int(part)) for part in (ball, *on))] = {"scene": numbers.tolist(), "lights": rows.tolist()}
     return scenes
 

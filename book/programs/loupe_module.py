@@ -1,13 +1,13 @@
 """Program of the simulator's loupe and its certified bounds, with the numbers beside it: a second program.
 
-Where a difference takes the height, and what it finds there, is noted while the renderer's own difference runs. A
-picture's bounds are the renderer's, by the machine of `renderer.machines.enclosing_machine`.
+The renderer's own difference is run on a height that notes each point at which it is asked for, and its value there.
+A picture's bounds are the renderer's, by the machine of `renderer.machines.enclosing_machine`.
 """
 
 from collections.abc import Callable
 from itertools import product
 
-from book.simulator_module import OFF_A, SCENE, WAYS, script
+from book.programs.simulator_module import OFF_A, SCENE, WAYS, script
 from proofs.formulas.finite_difference import HEIGHTS
 from proofs.formulas.height_fields import HEIGHT_FIELDS
 from proofs.formulas.step_bounds import TERMS
@@ -39,9 +39,10 @@ def _noise(name, method, *at):
 
 
 def samples_of(name: str, method: str) -> Callable:
-    """Return the function (u, v, k_u, k_v, ε) → u', v' and h of each height that a difference takes, and what follows.
+    """Return the function (u, v, k_u, k_v, ε) → the samples of a difference, its slopes, and bounds of their errors.
 
-    That is h_u and h_v, what rounding may make of the difference of heights in u and in v, and the two proved bounds.
+    In order: u', v' and h of each height that it takes; h_u and h_v; how much rounding may change the difference of
+    heights in u, and in v; and the two proved bounds.
     """
 
     def samples(u: Number, v: Number, k_u: Number, k_v: Number, epsilon: Number) -> tuple[Number, ...]:

@@ -10,7 +10,7 @@ from typing import Any
 import llvmlite.binding as llvm
 import llvmlite.ir as ir
 
-from book.painting_code import PAINTERS, emit_painter
+from book.programs.painting_code import PAINTERS, emit_painter
 from renderer.machines.drawing_code import emit
 from renderer.machines.native import optimized
 from renderer.machines.points_code import emit_points
@@ -36,7 +36,7 @@ def compiled_module(
 
     wants: {name: want}, each a function that draws rows (`renderer.machines.drawing_code`). kernels:
     {name: kernel}, each a function over points (`renderer.machines.points_code`). painters: {name: painter}
-    (`book.painting_code`). of_vectors: {name: (of how many
+    (`book.programs.painting_code`). of_vectors: {name: (of how many
     vectors, kernel)}, each a function that a page's own code calls. The module imports `env.__linear_memory`.
     """
     module = ir.Module()

@@ -1,7 +1,7 @@
 """Programs of the small interactives of §1 to §3, put together from the renderer's kernels and programs.
 
 Functions of float64 numbers, NumPy's arrays or traced values, as the kernels are: the still pictures call them here,
-the pages as WebAssembly, beside the simulator's (`book.simulator_module`).
+the pages as WebAssembly, beside the simulator's (`book.programs.simulator_module`).
 """
 
 from functools import cache
@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 from sympy import Integer
 
-from book.simulator_module import script
+from book.programs.simulator_module import script
 from proofs.engine.program import Program
 from proofs.formulas.chart import chart_inverse
 from proofs.formulas.displacement import blinn_normal, displaced_normal, h_phi, h_theta
