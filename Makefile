@@ -7,7 +7,7 @@ RUN := $(BIN)/python
 .DEFAULT_GOAL := help
 
 help: ## list these targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-16s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 book: environment-book ## check the theorems, draw the figures, build the book, say where it is  (python -m book)
 	@$(RUN) -m book

@@ -21,9 +21,9 @@ from verify.evidence.records import RECORDS
 VERBS = {  # those of BUILDING build the site; what RELEASES need is made first
     "build": "theorems, figures and the site, then say where the book is (the default)",
     "figures": "draw the figures that changed",
-    "watch": "after that, build an edited page as soon as it is saved, and show it",
-    "single": "after that, the chapter as one HTML file that can be mailed",
-    "pdf": "after that, the chapter as a PDF, printed by the installed Chromium",
+    "watch": "build, then build an edited page as soon as it is saved, and show it",
+    "single": "build, and make of it the chapter as one HTML file that can be mailed",
+    "pdf": "build, and make of it the chapter as a PDF, printed by the installed Chromium",
     "release-notes": "what moved since the last release; fails if left unsaid",
     "release": "write releases/VERSION.json and its pictures, if nothing was left unsaid",
     "same-bytes": "build from a clean clone in another folder and compare every byte",
@@ -44,7 +44,7 @@ def figures(ids: Sequence[str] = (), force: bool = False) -> None:
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(prog="python -m book", description=__doc__.splitlines()[0])
     verbs = top.add_subparsers(dest="verb", metavar="[VERB]")
-    made = {verb: verbs.add_parser(verb, help=words) for verb, words in VERBS.items()}
+    made = {verb: verbs.add_parser(verb, help=words, description=words) for verb, words in VERBS.items()}
     made["figures"].add_argument("ids", nargs="*", metavar="ID", help="only these figures")
     made["figures"].add_argument("--force", action="store_true", help="draw them even if nothing changed")
     made["figures"].add_argument("--list", action="store_true", help="list the figures and what each draws")

@@ -1,4 +1,4 @@
-"""Check every stored certificate with the kernel, in bare Python:  python -m proofs.check [ID …]
+"""Check every stored certificate with the kernel, in bare Python:  python -m proofs.check [ID …].
 
 Imports the standard library alone: no SymPy, so it takes seconds. It decides whether each certificate proves the
 statement stored with it, and that hypotheses can hold: "they contradict each other" is a statement, too, which an exact

@@ -41,7 +41,8 @@ def check_number(name: str, value: Any, low: float = -math.inf, high: float = ma
     except (TypeError, ValueError, OverflowError):
         number = math.nan
     if not math.isfinite(number) or not low <= number <= high:
-        raise not_allowed(name, value, f"a finite number from {low:g} to {high:g}")
+        limits = f" from {low:g} to {high:g}" if low > -math.inf else ""
+        raise not_allowed(name, value, f"a finite number{limits}")
     return number
 
 

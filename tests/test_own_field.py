@@ -129,7 +129,7 @@ NOT_DRAWN = {
     "sqrt((u - 1/2)^2 + (v - 1/2)^2)": r"1/sqrt\(.*\) of h or a slope is not shown to be finite: keep .* 1e-4\)",
     "v + 2u": r"from '2u' on: write 2\*u for 2u, .* sin\(u\)\*\*2",
     "(u < v)*v": r"'u < v' is not of the kind that belongs there: write .* where\(u < v, 1, 2\)",
-    "asin(sin(2*pi*u))": r"none of numbers, .* arctan, .* Piecewise; write 2\*u",
+    "asin(sin(2*pi*u))": r"none of numbers .* arctan, .* Piecewise; write 2\*u",
 }
 
 
@@ -192,6 +192,8 @@ NO_FIELDS = {
     "field = 'deep' is not allowed: a formula that is": lambda: HeightField("deep", "tanh(" * 29 + "v" + ")" * 29),
     "name = 'rings' is not allowed: a name that no other": lambda: Scene(field=HeightField("rings", v)),
     "is not allowed: one of 'sine'": lambda: Scene(field=LIGHT_MODELS["phong"]),
+    "'rings', or HeightField(name, formula)": lambda: Scene(field="sin(2*pi*u)"),
+    "'a' is none of numbers (named a=1), ": lambda: HeightField("x", "a*v"),
     "(ku, kv) = (1000.0, 4.0)": lambda: Scene(field=HeightField("steep", exp(k_u * v)), ku=1000),
     "(ku, kv) = (8.0, 100.0)": lambda: Scene(field=HeightField("torn", v / (k_v - 100)), kv=100),
     "beta = 1e+100": lambda: Scene(field=HeightField("high", v * 10**9), beta=1e100),

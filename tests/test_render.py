@@ -142,16 +142,18 @@ def test_what_is_no_scene_or_no_frame_is_refused_by_all():
 
 ODD = replace(DEFAULT, ku=7.5)
 default = partial(render, DEFAULT, 8, 8)
+SLOPED = default(derivatives=["kv"])
 REFUSED = {
     "gradient = 'central' is not allowed: exact(), central(eps)": lambda: default("central"),
     "into = 'frame'": lambda: default(into="frame"),
     "bounds = 1 is not allowed: True or False": lambda: default(bounds=1),
     "frame = Frame(Raster(width=8, height=9": lambda: default() - render(DEFAULT, 8, 9),
-    "derivatives = 'beta' is not allowed: names of the scene's": lambda: default(derivatives="beta"),
+    "derivatives = 'beta' is not allowed: a list of names of the scene's": lambda: default(derivatives="beta"),
     "derivatives = 'lights[00].position[0]' is not": lambda: default(derivatives=["lights[00].position[0]"]),
     "derivatives = 7 is not allowed: names": lambda: default(derivatives=[7]),
     "form = 'algebraic' is not allowed: general or": lambda: default(exact("algebraic"), derivatives=["ku"]),
-    "direction = 'ku' is not allowed: one of 'kv'": lambda: default(derivatives=["kv"]).derivative({"ku": 1}),
+    "direction = 'ku' is not allowed: a number of the frame's derivatives=": lambda: SLOPED.derivative({"ku": 1}),
+    "kv = 1e+200 is not allowed: a finite number from -1e+100": lambda: SLOPED.derivative({"kv": 1e200}),
     "derivatives = 'ball' is not": lambda: default(derivatives=["ball"]),
     "numbers = 'lights[5].color[0]' is not": lambda: DEFAULT.with_numbers({"lights[5].color[0]": 1}),
     "name = 'nope' is not allowed: names": lambda: DEFAULT.number("nope"),
@@ -203,6 +205,6 @@ def test_a_fit_says_what_it_cannot_tell_and_what_it_is_not_given():
         (SINE, ["ka", *(f"ambient[{n}]" for n in range(3))]),
     ):
         assert set(fit(scene, render(scene, 16, 16), names).errors.values()) == {np.inf}
-    for picture, names in ((None, ["beta"]), (frame.rgb[..., 0], ["beta"]), (frame.rgb * np.nan, ["beta"])):
-        assert rejection(fit, SINE, picture, names).startswith("picture = ")
+    for picture in (None, "sky", frame.srgb, frame.rgb[..., 0], frame.rgb * np.nan, frame.rgb * 1e5, frame.rgb + 0j):
+        assert rejection(fit, SINE, picture, ["beta"]).startswith("picture = ")
     assert [rejection(fit, SINE, frame, names)[:5] for names in ((), "beta")] == ["names", "names"]

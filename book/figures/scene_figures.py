@@ -18,7 +18,7 @@ BODIES = {  # surface and bit 7, the dark floor square: (name, colour where both
     3: ("floor, light square", (0xE6, 0xD9, 0xB4)),
     3 | 128: ("floor, dark square", (0x9C, 0xA9, 0x7C)),
 }
-HIDDEN = {0: ("both lights", 1.0), 4: ("first hidden", 0.74), 8: ("second hidden", 0.55), 12: ("both hidden", 0.4)}
+HIDDEN = {0: ("both lights", 1.0), 4: ("no first", 0.74), 8: ("no second", 0.55), 12: ("neither", 0.4)}
 """{bits 2 and 3, the lights that another body hides: (name, how bright the colour is)}"""
 
 
@@ -28,16 +28,16 @@ def _colour(code):
 
 
 def _chamber_legend(fig, codes, top):
-    """Write under the pictures what a colour says: a row for each body, a column for the lights that are hidden."""
+    """Write under the second picture what a colour says: a row for each body, a column for the lights hidden."""
     for column, (hidden, (name, _)) in enumerate(HIDDEN.items()):
-        left = 180 + 180 * column
+        left = 582 + 86 * column
         pixel_text(fig, left, top, name, "muted")
         for row, (body, (surface, _)) in enumerate(BODIES.items()):
             below = top + 14 + 25 * row
             if column == 0:
-                pixel_text(fig, 4, below + 12, surface)
+                pixel_text(fig, 466, below + 12, surface)
             if body | hidden in codes:
-                pixel_axes(fig, left, below, 90, 16).imshow(_colour(body | hidden)[None, None], aspect="auto")
+                pixel_axes(fig, left, below, 72, 16).imshow(_colour(body | hidden)[None, None], aspect="auto")
 
 
 @figure

@@ -42,7 +42,7 @@ def pole() -> Drawing:
     fig, ax = plot(height=3.8)
     near, far = toward_the_pole(sines=np.logspace(-0.08, -9, 48)), sweep("pole")
     others = (
-        ("seed", "seed's frame", "right", 1e-3, SOLID),
+        ("seed", "seed's frame", "left", 1e-3, SOLID),
         ("seed with fallback", "seed, with its fallback", "above", 1e-7, DASHED),
     )
     _draw(ax, near, others, 1e-3)

@@ -111,7 +111,7 @@ OF_VECTORS = {
     "at_most": (1, lambda number: where(number <= 0.0, 1.0, 0.0)),
     "choice": (3, lambda condition, one, other: where(condition > 0.0, one, other)),
 }
-"""What the reader's own field calls in the page: {name: (of how many numbers, kernel)}."""
+"""Functions that the reader's own field calls in the page: {name: (of how many numbers, kernel)}."""
 SMALLEST = -16  # the logarithmic scale of differences runs from 10^SMALLEST to 1
 TERM_COLOURS = ("#000000", *OF_TERMS)  # none, then TERMS
 

@@ -149,7 +149,8 @@ class _Reader:
                 return _COMPARISONS[type(relation)](self.read(left, depth), self.read(right, depth))
         known = [*self.names.items(), *self.calls.items(), *_CHOICES.items()]
         allowed = ", ".join({thing: name for name, thing in known}.values())  # of several names the last
-        raise self.refused(f"{self.text_of(node)[:60]!r} is none of numbers, + - * / % ** ^, {allowed}; {_HINT}")
+        signs = "numbers (named a=1), +-*/%^"
+        raise self.refused(f"{self.text_of(node)[:60]!r} is none of {signs}, {allowed}; {_HINT}")
 
     @contextmanager
     def choice(self, parts: int) -> Iterator[None]:

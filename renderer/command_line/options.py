@@ -79,6 +79,7 @@ GRADIENT = {
     "--gradient": NAME | {"default": "exact", "help": f"{', '.join(METHODS)} (default: %(default)s)"},
     "--eps": NUMBER | {"help": "step of a difference (default: 1e-3)"},
 }
+DIFFERENCE = {"default": "central", "help": f"{', '.join(DIFFERENCES)} (default: %(default)s)"}
 OUT = "a .png; - for one in a pipe; a .tif; a .npz with every buffer; a .npy (float64), of any size, drawn in bands"
 OF_IMAGE: dict[str, Option] = {
     "--again": {"metavar": "FILE", "help": "draw the picture that a .png or .npz has a record of, of the same raster"},
@@ -96,12 +97,12 @@ OF_VIEWS = {
     "--out": {"required": True, "metavar": "FOLDER", "help": "the folder to write to; it is made if need be"},
     "--gain": NUMBER | {"default": 100.0, "help": "of the linear map (default: 100)"},
     **GRADIENT,
-    "--gradient": GRADIENT["--gradient"] | {"default": "central"},
+    "--gradient": NAME | DIFFERENCE,
     **RASTER,
 }
 OF_SWEEP = {
     "--eps": several(NUMBER) | {"nargs": "+", "default": [DECADES], "help": "steps (default: 1e-1 ... 1e-6)"},
-    "--gradient": several(NAME) | {"default": "central", "help": f"{', '.join(DIFFERENCES)} (default: central)"},
+    "--gradient": several(NAME) | DIFFERENCE,
     "--csv": {"metavar": "FILE", "help": "write the table to a .csv too"},
     "--no-facts": {"action": "store_true", "help": "print the table alone"},
     "--checkpoint": {"metavar": "FILE", "help": "a .jsonl that keeps every result: a killed sweep goes on from it"},

@@ -19,7 +19,7 @@ def _text(source):
 PRINTED = {PROJECT.root / path: partial(_text, source) for path, source in PROJECT.printed.items()}
 """{file: the function that returns its text}"""
 RECORDED = {PROJECT.root / path for path, source in PROJECT.printed.items() if source.startswith("verify")}
-"""Those for which kernels run that have to be printed before."""
+"""Files for which kernels run, so that these are printed before."""
 
 
 def write_all(printed: Mapping[Path, Callable[[], str]]) -> None:

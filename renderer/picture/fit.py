@@ -12,6 +12,7 @@ from renderer.scene.scene import NUMBERS, Scene
 
 COARSE = 8  # pixels: means over blocks of so many are fitted first, from further away, as no edge adds to their slopes
 ENOUGH = {COARSE: 1e-3, 1: 1e-12}  # a step's share of a number, or of what is left
+MOST_LIGHT = 1e4  # a colour is at most 1, but for noise
 FIRST_DAMPING, MOST_DAMPING = 1e-3, 1e12
 
 
@@ -41,11 +42,13 @@ def fit(scene: Scene, picture: ArrayLike, names: Iterable[str], pictures: int = 
     >>> found.converged, round(found.scene.beta, 9)
     (True, 0.35)
     """
-    picture, names = np.asarray(picture, np.float64), [*dict.fromkeys(check_items("names", names, NUMBERS))]
-    if picture.ndim != 3 or picture.shape[2] != 3 or not np.isfinite(picture).all():
-        raise not_allowed("picture", picture.shape, "finite numbers, (height, width, 3)")
+    picture, names = np.asarray(picture), [*dict.fromkeys(check_items("names", names, f"a list of {NUMBERS}"))]
+    is_light = picture.dtype.kind == "f" and picture.ndim == 3 and picture.shape[2] == 3
+    if not is_light or not (abs(picture) <= MOST_LIGHT).all():
+        allowed = f"linear light, floats up to {MOST_LIGHT:g}, (height, width, 3)"
+        raise not_allowed("picture", f"{picture.dtype} {picture.shape}", allowed)
     if not names:
-        raise not_allowed("names", names, f"one or more of {NUMBERS}")
+        raise not_allowed("names", names, f"one or more {NUMBERS}")
     for name in names:
         scene.number(name, "names")
     drawn, pictures, (height, width, _) = 0, check_whole("pictures", pictures, 10**6, low=2), picture.shape

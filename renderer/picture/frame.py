@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from renderer.checks import check_choice, check_kind, check_number, check_whole, not_allowed
+from renderer.checks import check_kind, check_number, check_whole, not_allowed
 from renderer.files import pictures
 from renderer.files.record import text_of
 from renderer.files.srgb import to_bytes
@@ -257,7 +257,9 @@ class Frame:
         """
         slopes = self.derivatives
         for name, part in check_kind("direction", direction, dict, "{name: number}").items():
-            check_number(check_choice("direction", name, slopes), part)
+            if name not in slopes:
+                raise not_allowed("direction", name, f"a number of the frame's derivatives={self._by}")
+            check_number(name, part, -1e100, 1e100)
         return sum((part * slopes[name] for name, part in direction.items()), np.zeros(self.rgb.shape))
 
     @property

@@ -7,7 +7,7 @@ proofs come with it.
 from collections.abc import Iterable
 from typing import Any
 
-from renderer.checks import check_choice
+from renderer.checks import not_allowed
 from renderer.kernels import FIELDS
 
 
@@ -19,11 +19,12 @@ def _makers():
 
 def check_field(name: str, value: Any, choices: Iterable[str]) -> Any:
     """Return one of `choices`, or a custom field, whose kernels are made. Raises ValueError on the rest."""
-    if isinstance(value, str):
-        return str(check_choice(name, value, choices))
+    if isinstance(value, str) and value in choices:
+        return str(value)
     makers = _makers()
-    is_field = isinstance(value, makers.height_fields.HeightField)
-    return makers.made_field(value) if is_field else check_choice(name, value, choices)
+    if isinstance(value, makers.height_fields.HeightField):
+        return makers.made_field(value)
+    raise not_allowed(name, value, f"one of {', '.join(map(repr, choices))}, or HeightField(name, formula)")
 
 
 def check_size(field: Any, ku: float, kv: float, beta: float, steeper: float = 1.0) -> None:

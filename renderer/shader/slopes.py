@@ -28,12 +28,12 @@ def asked(shot: Shot, names: Iterable[str]) -> tuple[Shot, dict[str, Any]]:
     A slope may need the gradient or the highlight where the picture needs neither. Raises ValueError on a number
     without a slope.
     """
-    scene, names = shot.scene, check_items("derivatives", names, NUMBERS)
+    scene, names = shot.scene, check_items("derivatives", names, f"a list of {NUMBERS}")
     on: dict[str, Any] = {"ball_": scene.ball, "albedo_b": scene.ball, "floor_tint": scene.floor}
     on |= {f"lights[{number}]": light.color for number, light in enumerate(scene.lights)}
     for name, (front, is_on) in product(names, on.items()):
         if not is_on and str(name).startswith(front):
-            raise not_allowed("derivatives", name, f"no number of {front.strip('_')}, which is off in this scene")
+            raise not_allowed("derivatives", name, "no number of a body or a light that is off in this scene")
     custom: Any = scene.field
     for name in names:
         scene.number(name, "derivatives")
