@@ -19,7 +19,7 @@ watch: environment-book ## show the book at localhost:8000, and each edited page
 # cores busy: a third of a worker's time it waits, for a browser by most.
 test: environment ## run every test, the proofs' included  (python -m book; pytest verify tests)
 	@$(RUN) -m book
-	@$(RUN) -m pytest verify tests --ignore=verify/test_theorems.py -q -n 3 --dist loadfile --no-loadscope-reorder --durations=10
+	@BOOK_BUILT=yes $(RUN) -m pytest verify tests --ignore=verify/test_theorems.py -q -n 3 --dist loadfile --no-loadscope-reorder --durations=10
 
 verify: environment ## run the proofs' checker alone  (pytest verify)
 	@$(RUN) -m pytest verify -q -n 2

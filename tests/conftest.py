@@ -3,32 +3,24 @@
 import os
 import re
 import subprocess
-from unittest.mock import patch
 
 import pytest
+from filelock import FileLock
 from playwright.sync_api import expect
 
 from book.assembly import stamps, website
 from book.editions import files
 from book.editions.chromium import NoBrowser
 from book.editions.pages import parsed
-from renderer.machines import numpy_rows
-from renderer.picture import stage
 from tests.processes import python, started
 from tests.tabs import chromium, visits
 
 
-@pytest.fixture(scope="module")
-def by_numpy():
-    """Let NumPy draw, so that nothing is compiled: LLVM's bits are the same (`test_machines.py`)."""
-    with patch.object(stage, "machine", lambda: numpy_rows):
-        yield
-
-
 @pytest.fixture(scope="session")
 def site():
-    """The folder of the built site. The build takes a lock, so several workers may ask for it at once."""
-    python("-m", "book", "build")
+    """The folder of the built site, which `make test` has built; else several workers may ask for it at once."""
+    if "BOOK_BUILT" not in os.environ:
+        python("-m", "book", "build")
     return website.SITE
 
 
@@ -53,8 +45,9 @@ def stamped(monkeypatch, tmp_path):
 
 @pytest.fixture(scope="session")
 def single(site):
-    """The path of the one-file edition."""
-    files.make("single", files.SINGLE, files.single_file)
+    """The path of the one-file edition, which one worker makes."""
+    with FileLock(stamps.STAMPS / "single.lock"):
+        files.make("single", files.SINGLE, files.single_file)
     return files.SINGLE
 
 

@@ -1,22 +1,15 @@
-"""Measure the simulator in headless Chromium, beside the one that it once was:
+"""Measure the simulator in headless Chromium:
 
     python -m tests.measure_simulator                    (some minutes, on a machine that does nothing else)
     python -m tests.measure_simulator --size 256 512     only these rasters
 
 A step of ε: milliseconds from the slider's event to the last of its pictures in a canvas. A drag: ε moves for five
 seconds, at every frame of the screen; what counts is the time between frames that show a new picture, also of an own
-field of five terms. The simulator of
-`--against`, a commit whose scripts are all committed, takes turns with today's, and the ratio of their steps is kept.
-Times belong to the machine that they were taken on; no test asserts them. Needs the built book, of the code that is to
-be measured. Writes verify/benchmark/results/simulator.json: commit it.
+field of five terms. Times belong to the machine that they were taken on; no test asserts them. Needs the built book, of
+the code that is to be measured. Writes verify/benchmark/results/simulator.json: commit it.
 """
 
-import io
 import os
-import subprocess
-import tarfile
-import tempfile
-from pathlib import Path
 from statistics import median
 from urllib.parse import quote
 
@@ -29,7 +22,6 @@ from verify.benchmark.timing import load
 from verify.evidence.records import code_of, command
 from verify.evidence.sources import ROOT
 
-PRINTED_IN_JAVASCRIPT = "2be60f7"  # a commit whose simulator was printed in JavaScript, and not compiled
 ROUNDS = 3
 VIEWPORT = {"width": 1280, "height": 1000}
 TARGETS = {256: 25, 512: 42, 1024: 100}  # milliseconds between pictures, of a drag
@@ -65,57 +57,37 @@ DRAG = """async (seconds) => {
 }"""
 
 
-def simulator_of(commit, folder):
-    """Write a page of a commit's simulator alone into a folder; return its address."""
-    git = ["git", "archive", commit, "book/static"]
-    archive = subprocess.run(git, cwd=ROOT, capture_output=True, check=True).stdout
-    with tarfile.open(fileobj=io.BytesIO(archive)) as files:
-        files.extractall(folder, filter="data")
-    static = Path(folder, "book", "static").rename(Path(folder, "_static"))
-    part = (static / "simulator" / "simulator.html").read_text(encoding="utf-8")
-    style = '<link rel="stylesheet" href="_static/palette.css"><link rel="stylesheet" href="_static/book.css">'
-    page, head = Path(folder, "page.html"), f'<!doctype html><html data-theme="light"><meta charset="utf-8">{style}'
-    page.write_text(f"{head}<body>{part}", encoding="utf-8")
-    return page.as_uri()
-
-
-def measured(browser, pages, size):
-    """Return the numbers of one raster. pages: {name: address}, of which "now" is dragged too."""
-    taken, between = {name: [] for name in pages}, []
-    for name in tqdm([*pages] * ROUNDS, desc=f"{size}²", unit="visit"):
-        with opened(browser, f"{pages[name]}#sim?size={size}", until=RUNNING, viewport=VIEWPORT) as tab:
+def measured(browser, page, size):
+    """Return the numbers of one raster."""
+    steps, between = [], []
+    for _ in tqdm(range(ROUNDS), desc=f"{size}²", unit="visit"):
+        with opened(browser, f"{page}#sim?size={size}", until=RUNNING, viewport=VIEWPORT) as tab:
             tab.wait_for_timeout(4000)  # its idle work
-            taken[name] += tab.evaluate(STEPS, 40)
-            if name == "now":
-                between += tab.evaluate(DRAG, 5)
-    now, before = median(taken["now"]), median(taken["before"])
+            steps += tab.evaluate(STEPS, 40)
+            between += tab.evaluate(DRAG, 5)
     return {
-        f"step_{size}_ms": now,
+        f"step_{size}_ms": median(steps),
         f"drag_{size}_ms": median(between),
         f"drag_{size}_worst_ms": max(between),
         f"drag_{size}_within": sum(time <= TARGETS[size] for time in between) / len(between),
-        f"ratio_{size}": before / now,
     }
 
 
-def measure(size, against):
+def measure(size):
     """Return the numbers of all rasters; SystemExit unless the book was built from the code as it is."""
     built, code = stamps.read("site") or {}, stamps.hashes(ROOT / path for path in code_of("simulator"))
     if other := [path for path, hashed in code.items() if built.get(path) != hashed]:
         raise SystemExit(f"the built book is not of this code ({other[0]}): python -m book build")
-    numbers = {"load": load(), "cores": os.cpu_count()}
-    with tempfile.TemporaryDirectory() as folder, chromium() as browser:
-        pages = {"now": (SITE / "s4.html").as_uri(), "before": simulator_of(against, folder)}
-        label = {"browser": f"Chromium {browser.version}", "before": against}
+    numbers, page = {"load": load(), "cores": os.cpu_count()}, (SITE / "s4.html").as_uri()
+    with chromium() as browser:
         for side in size:
-            numbers |= measured(browser, pages, side)
-        with opened(
-            browser, f"{pages['now']}#sim?size=512&field=own&h={quote(FIVE_TERMS)}", until=RUNNING, viewport=VIEWPORT
-        ) as tab:
+            numbers |= measured(browser, page, side)
+        own = f"{page}#sim?size=512&field=own&h={quote(FIVE_TERMS)}"
+        with opened(browser, own, until=RUNNING, viewport=VIEWPORT) as tab:
             tab.wait_for_timeout(4000)
             numbers["drag_own_512_ms"] = median(tab.evaluate(DRAG, 5))
-    return {"label": label, "numbers": numbers}
+        return {"label": {"browser": f"Chromium {browser.version}"}, "numbers": numbers}
 
 
 if __name__ == "__main__":
-    command("simulator", __doc__, measure, size=list(TARGETS), against=PRINTED_IN_JAVASCRIPT)
+    command("simulator", __doc__, measure, size=list(TARGETS))

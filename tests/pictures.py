@@ -1,4 +1,4 @@
-"""Pictures in files."""
+"""Pictures in files, and contents of a folder."""
 
 from io import BytesIO
 
@@ -21,3 +21,8 @@ def shows(path, frame):
         pixels, expected = np.asarray(Image.open(path)), views.image_view(frame)
     pixels = pixels["rgb"] if path.suffix == ".npz" else pixels
     return pixels.dtype == expected.dtype and np.array_equal(pixels, expected)
+
+
+def contents(folder):
+    """Return {name: bytes} of a folder's files."""
+    return {path.name: path.read_bytes() for path in folder.iterdir()}

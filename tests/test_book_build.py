@@ -114,7 +114,7 @@ def test_the_work_on_pages_that_stay_is_kept(places, monkeypatch):
 
     def work(folder, cache, pages):
         asked.append(pages)
-        assert {path.suffix for path in folder.rglob("*")} - {""} == (set() if pages is None else {".doctree"})
+        assert {path.suffix for path in folder.rglob("*")} - {""} == (set() if pages is None else {".doctree", ".html"})
         for name in ("html/index.html", ".doctrees/s1.doctree"):
             stamps.write_whole(folder / "_build" / name, b"whole")
 

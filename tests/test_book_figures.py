@@ -7,18 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from matplotlib.path import Path as Outline
-from matplotlib.transforms import Affine2D
 from PIL import Image
 
 from book.assembly import stamps
-from book.drawing import draw, registry, save, style
+from book.drawing import draw, save, style
 from book.drawing.registry import Drawing, Registered, certified, plain_numbers
 from book.drawing.style import plot
-from book.figures import work_precision  # noqa: F401, which registers its figures
 from renderer import Scene, central, exact, render
 from renderer.intervals import Interval
-from tests.folders import contents
+from tests.pictures import contents
 from tests.processes import python
 
 # In a process that has none of the repository's modules, and for each figure module a child of it that has not either.
@@ -156,26 +153,6 @@ def test_two_processes_name_the_figure_that_raises(stamped, monkeypatch):
         draw.draw()
     assert caught.value.__notes__ == ["while the figure 'broken' was drawn"]
     assert not stamps.read("figures/broken")
-
-
-def outline(text):
-    """Return the outline of a drawn text, which may lean."""
-    angle, _ = text.get_rotation(), text.set_rotation(0)
-    box = text.get_window_extent()
-    turned = Affine2D().rotate_deg_around(box.x1 if text.get_ha() == "right" else box.x0, box.y0, angle)
-    return turned.transform_path(Outline(box.corners()[[0, 1, 3, 2, 0]]))
-
-
-def test_names_of_methods_cross_neither_one_another_nor_a_curve_on_a_phone():
-    with style.styled():
-        fig = registry.FIGURES["work_precision"].drawn().picture
-        style.narrow(fig)
-        fig.draw_without_rendering()
-    (ax,) = fig.axes
-    names = [outline(text) for text in ax.texts]
-    curves = [ax.transData.transform_path(each.get_path()) for each in ax.lines if each.get_label() != "front"]
-    crossed = [n for n, name in enumerate(names) for other in names[:n] + curves if name.intersects_path(other, False)]
-    assert names and curves and not crossed
 
 
 def line(heights, label):

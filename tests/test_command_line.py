@@ -22,8 +22,7 @@ from renderer.kernels import FIELDS
 from renderer.picture import views
 from renderer.picture.facts import facts
 from renderer.picture.sweep import sweep, table
-from tests.folders import contents
-from tests.pictures import shows
+from tests.pictures import contents, shows
 from tests.processes import python, started
 from verify.evidence.sources import ROOT
 

@@ -12,8 +12,11 @@ from hypothesis import given, strategies as st
 from book.figures.binades import NAMES, STEPS
 from renderer import Scene, central, central4, exact, forward, gradient_at, height_at, pixel, render
 from renderer.kernels import FIELDS
+from renderer.scene.methods import GradientMethod, difference
 from renderer.scene.scene import BUMPS
+from tests.refusals import rejection
 from tests.strategies import steps, wave_numbers
+from tests.test_machines import numpy_draws
 from verify.accuracy.binades import dies
 
 SINE, RIDGES, RINGS = (Scene(field=field) for field in ("sine", "ridges", "rings"))
@@ -43,6 +46,7 @@ def test_the_kink_band_is_where_a_factor_is_below_three_hundredths():
 
 
 @pytest.mark.parametrize("method", [exact(), exact("general"), central(1e-3), forward(1e-3), central4(1e-3)])
+@numpy_draws()
 def test_the_pole(method):
     for scene, beta, bump in product((SINE, RIDGES, RINGS), (0.0, 0.35, 1e80), BUMPS):
         record = pixel(replace(scene, beta=beta, bump=bump), *POLE, method)
@@ -79,3 +83,26 @@ def test_every_slope_dies_where_the_theorem_says_and_elsewhere_by_equal_heights(
         u, v = at["u"][rest], at["v"][rest]
         ends = [(u + s, v) if axis == "u" else (u, v + s) for s in (step, -step)]
         np.testing.assert_array_equal(*(height_at(SINE, *end) for end in ends))
+
+
+def test_the_exact_gradient_has_no_step():
+    error = rejection(GradientMethod, "exact", 1e-3)
+    assert error == "eps = 0.001 is not allowed: none beside the exact gradient, which takes no step"
+    assert rejection(exact, "fast") == "form = 'fast' is not allowed: one of 'auto', 'general', 'algebraic'"
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_step_that_float64_loses_is_told_but_for_a_sweep():
+    for method in (central, forward, central4):
+        method(2.0**-53)
+        difference(method.__name__, 1e-17)
+        with pytest.warns(UserWarning, match="below 2"):
+            method(1e-17)
+
+
+def test_a_representable_step_is_a_multiple_of_the_coarsest_spacing():
+    for eps in (0.1, 1e-3, 3e-16):
+        step = central(eps, representable=True).eps
+        assert abs(step - eps) <= 2.0**-53 and (step * 2.0**52).is_integer()
+    assert rejection(central, 1e-16, True) == "eps = 1e-16 is not allowed: a finite number from 2.22045e-16 to 0.5"
+    assert rejection(central, 1e-3, 1) == "representable = 1 is not allowed: a bool"

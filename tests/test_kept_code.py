@@ -7,7 +7,7 @@ import pytest
 
 from renderer.machines import kept_code
 from renderer.machines.kept_code import load, save
-from tests.folders import contents
+from tests.pictures import contents
 
 KEY, CODE = "a" * 64, b"machine code"
 NAME = f"{KEY}.o"

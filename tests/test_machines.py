@@ -1,12 +1,14 @@
 """NumPy draws what LLVM draws, in groups of any size, to the last bit."""
 
 import operator
+import platform
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from itertools import chain, product, repeat
 from types import SimpleNamespace
 
+import llvmlite.binding as llvm
 import numpy as np
 import pytest
 from hypothesis import example, given, strategies as st
@@ -30,6 +32,7 @@ from renderer import (
     v,
 )
 from renderer.machines import native, numpy_rows
+from renderer.machines.drawing_code import emit
 from renderer.machines.forms import COLORS, flat, of_form
 from renderer.picture import stage
 from renderer.scene.scene import BUMPS
@@ -158,6 +161,7 @@ def of_any(shot, known_powers):
     return chosen, lights
 
 
+@numpy_draws()
 @given(scenes(), rasters(), methods)
 @example(Scene(), SIZE, exact())
 def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
@@ -192,3 +196,51 @@ def test_at_points_the_bits_are_the_same(field, monkeypatch):
     monkeypatch.setattr(machines, "FEW_POINTS", np.inf)
     monkeypatch.setattr(native, "over_points", lambda *given: few.append(given))
     assert all(np.array_equal(one, other) for one, other in zip(compiled, computed(), strict=True)) and not few
+
+
+# Older and newer x86 processors: every target of LLVM whose features this one has
+
+AVX2 = "avx2 fma"
+AVX512 = f"{AVX2} avx512f avx512bw avx512dq avx512vl"
+DRAWN = Scene(ku=7.3, model="phong", shininess=7.5), central(1e-6)
+TARGETS = {  # {LLVM's processor: lanes, the features that it needs}
+    "x86-64": (2, ""),
+    "x86-64-v2": (4, ""),
+    "x86-64-v3": (4, AVX2),
+    "x86-64-v4": (8, AVX512),
+    "haswell": (4, AVX2),
+    "znver4": (8, AVX512),
+    "skylake-avx512": (16, AVX512),
+    "sapphirerapids": (8, AVX512),
+    "cascadelake": (16, AVX512),
+}
+
+
+def bytes_of(drawer, scene, method):
+    """Return the bytes of all that a machine's frame with bounds holds, by name, and what it counted."""
+    with drawn_by(drawer):
+        frame = render(scene, *SIZE, method, threads=1, bounds=True)
+    return {name: getattr(frame, name).tobytes() for name in ("rgb", "chambers", "bounds", "open")} | frame._counts
+
+
+@pytest.mark.skipif(platform.machine() not in ("x86_64", "AMD64"), reason="these are features of x86")
+@pytest.mark.parametrize("name", TARGETS)
+def test_another_processor_draws_the_same_bits(name, monkeypatch):
+    """A difference, Phong and a power that is not whole: LLVM may, but must not, fuse a product and a sum."""
+    lanes, needs = TARGETS[name]
+    here = llvm.get_host_cpu_features()
+    if missing := [feature for feature in needs.split() if not here.get(feature)]:
+        pytest.skip(f"this processor has no {', '.join(missing)}")
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    triple = llvm.Target.from_default_triple()
+    monkeypatch.setattr(native, "_target", lambda: triple.create_target_machine(cpu=name, opt=2))
+    monkeypatch.setenv("SYMBOLIC_RENDERING_CODE", "off")
+
+    def drawer(want, job):
+        code, engine = native.machine_code(emit, want, lanes)
+        draw = native.drawer(want, job, code=code)
+        draw.engine = engine
+        return draw
+
+    assert bytes_of(drawer, *DRAWN) == bytes_of(numpy_rows.drawer, *DRAWN)

@@ -30,7 +30,7 @@ REFUSAL = """h => {
     catch (error) { return [error.message, error.text.slice(error.at, error.at + error.length)]; }
 }"""
 EXAMPLES = "[...document.querySelectorAll('#sim-example option')].map(o => o.value).filter(Boolean)"
-SIDE = 48
+SIDE = 24
 
 
 def off(tab, text):

@@ -1,10 +1,10 @@
 """The README's picture is what the renderer draws today, and its four lines end with a file."""
 
-import os
 import re
 import textwrap
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from book.figures.certified_bounds import BUMPS, scene_of
@@ -12,7 +12,6 @@ from book.figures.three_pictures import hero, hero_symbolic
 from renderer import Scene, render
 from renderer.files import record
 from tests.pictures import shows
-from tests.processes import python
 from verify.evidence.sources import ROOT
 
 
@@ -25,21 +24,9 @@ def test_picture_is_the_renderers():
     assert np.abs(committed - drawn).max() <= 1  # a byte may round the other way
 
 
-PAGES = ("README.md", "book/checked/api-renderer.md", "book/checked/own-fields.md")
-
-
-def test_what_the_pages_show_is_of_the_types_that_are_declared(tmp_path):
-    told = "\n".join((ROOT / page).read_text("utf-8") for page in PAGES)
-    blocks = re.findall(r"```python\n([\s\S]*?)```|^((?:(?:    .*)?\n)+)", told, re.M)
-    shown = [fenced or textwrap.dedent(indented) for fenced, indented in blocks]
-    (tmp_path / "shown.py").write_text("\n".join(block for block in shown if " import " in block), "utf-8")
-    options = ["--strict", "--explicit-package-bases", "--follow-imports=silent", "--cache-dir", tmp_path / "cache"]
-    python("-m", "mypy", *options, tmp_path / "shown.py", env=os.environ | {"MYPYPATH": str(ROOT)})
-
-
 def test_a_bump_of_ones_own_is_the_figures(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    for lines in re.findall(r"```python\n([\s\S]*?)```", (ROOT / PAGES[-1]).read_text("utf-8")):
+    for lines in re.findall(r"```python\n([\s\S]*?)```", (ROOT / "book/checked/own-fields.md").read_text("utf-8")):
         exec(lines, {})
     assert {path.stem: record.read(path)[0].scene for path in tmp_path.iterdir()} == {n: scene_of(n) for n in BUMPS}
 
@@ -58,3 +45,16 @@ def test_its_four_lines_end_with_a_file(tmp_path, monkeypatch):
     exec(textwrap.dedent(lines), {})
     (written,) = tmp_path.iterdir()
     assert shows(written, render(Scene(), 256, 256))
+
+
+FOLDER = ROOT / "book" / "chapter" / "exercises"
+SECTIONS = sorted(path.stem for path in FOLDER.glob("*.md"))
+ANSWER = re.compile(r"^```python\n(.*?)^```\n\n```text\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("section", SECTIONS)
+def test_answers_print_what_stands_below_them(section, capsys):
+    for code, expected in ANSWER.findall((FOLDER / f"{section}.md").read_text("utf-8")):
+        assert set(re.findall(r"^(?:from|import) (\w+)", code, re.MULTILINE)) <= {"math", "numpy", "sympy"}
+        exec(code, {})
+        assert capsys.readouterr().out == expected

@@ -19,7 +19,7 @@ from renderer.picture.stream import stream
 from renderer.picture.sweep import sweep
 from tests.refusals import rejection
 from tests.strategies import looks, methods, rasters
-from tests.test_machines import drawn_by
+from tests.test_machines import drawn_by, numpy_draws
 
 DEFAULT, SINE = Scene(), Scene(field="sine")
 PLANES = ("rgb", "chambers", "kink", "slope", "straddling")
@@ -193,3 +193,18 @@ def test_what_is_refused(text):
 def test_a_frame_is_of_the_scene_that_was_given():
     for scene in (Scene(beta=0.0), Scene(beta=-0.0), Scene(beta=0.0)):
         assert render(scene, 8, 8).scene is scene
+
+
+@numpy_draws()
+def test_a_fit_says_what_it_cannot_tell_and_what_it_is_not_given():
+    frame = render(SINE, 16, 16)
+    once, twice = (fit(replace(SINE, beta=0.3), frame, names) for names in (["beta"], ["beta", "beta"]))
+    assert once == twice and once.scene.number("beta") == pytest.approx(SINE.beta, rel=1e-12)
+    for scene, names in (
+        (replace(SINE, kd=0.0, ks=0.0), ["beta"]),
+        (SINE, ["ka", *(f"ambient[{n}]" for n in range(3))]),
+    ):
+        assert set(fit(scene, render(scene, 16, 16), names).errors.values()) == {np.inf}
+    for picture in (None, "sky", frame.srgb, frame.rgb[..., 0], frame.rgb * np.nan, frame.rgb * 1e5, frame.rgb + 0j):
+        assert rejection(fit, SINE, picture, ["beta"]).startswith("picture = ")
+    assert [rejection(fit, SINE, frame, names)[:5] for names in ((), "beta")] == ["names", "names"]

@@ -11,6 +11,7 @@ from renderer.scene.methods import difference
 from renderer.scene.raster import MAX_SIDE, Raster
 from tests.refusals import rejection
 from tests.strategies import REJECTED
+from tests.test_machines import numpy_draws
 
 INSIDE_B = (0.5, 0.5, 1.3)
 
@@ -49,6 +50,7 @@ def test_a_crop_of_other_things_than_four_whole_numbers_is_rejected():
         assert rejection(Raster, 8, 6, crop) == f"crop = {crop!r} is not allowed: {allowed}"
 
 
+@numpy_draws()
 def test_the_surfaces_bump_is_refused_where_float64_ends_and_drawn_up_to_there():
     assert rejection(Scene, bump="hills") == "bump = 'hills' is not allowed: one of 'chart', 'surface'"
     assert rejection(Scene, horizon=1) == "horizon = 1 is not allowed: True or False"
@@ -63,8 +65,3 @@ def test_the_surfaces_bump_is_refused_where_float64_ends_and_drawn_up_to_there()
     assert (
         told == "beta = 0.35 is not allowed: times the height of 'own' at most 1e+83, times its slopes at most 1e+123"
     )
-
-
-def test_a_record_from_before_there_were_bumps_is_read():
-    record = Scene().as_record()
-    assert Scene.from_record({name: record[name] for name in record.keys() - {"bump", "horizon"}}) == Scene()

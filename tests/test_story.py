@@ -31,11 +31,6 @@ def fold(article):
     return cut
 
 
-def captions(article):
-    """Return the number of words of each caption."""
-    return [words(caption.get_text(" ")) for caption in article.select("figure .caption-text")]
-
-
 @pytest.fixture(scope="module")
 def read(page_of):
     """Page → (its article as it is seen, how many words are folded in it)."""
@@ -58,7 +53,8 @@ def test_the_main_path_is_short(read):
     assert sum(folded for _, folded in read.values()) <= FOLDED_AT_MOST
     assert sum(len(article.select("figure")) for article, _ in read.values()) <= FIGURES_AT_MOST
     assert len(read["s3"][0].select(".theorem")) <= CARDS_AT_MOST
-    assert max(max(captions(article), default=0) for article, _ in read.values()) <= CAPTION_AT_MOST
+    captions = (caption for article, _ in read.values() for caption in article.select("figure .caption-text"))
+    assert max(words(caption.get_text(" ")) for caption in captions) <= CAPTION_AT_MOST
 
 
 def test_pictures_are_near_their_words(read):

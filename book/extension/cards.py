@@ -36,6 +36,8 @@ from book.extension.printed_claims import point, rows
 from book.extension.proof_pages import places
 from book.extension.theorems import CLAIMS_PAGE, GRADES, LEGEND, Here, certificate, kind, module_and_line
 from proofs.engine.project import HOME, PROJECT
+from proofs.engine.theorem import Theorem
+from proofs.printers.coq_statements import statements
 from verify.coq.recorded import in_full
 from verify.coq.survey import AXIOMS, BESIDE
 
@@ -72,11 +74,12 @@ def proof_address(name: str) -> str:
     return f"{listing_address(places()[name])}#{name}"
 
 
-def beside(formally: dict) -> tuple[dict[str, str], int, int]:
-    """Return (Coq's additions to a theorem's claims, how many points, how many false variants)."""
-    statements = formally["statements"]
-    points, false = (sum(name.endswith(end) for name in statements) for end in ("__point", "__false"))
-    return {n: text for n, text in statements.items() if not n.endswith(BESIDE)}, points, false
+def said_by_coq(theorem: Theorem, formally: dict) -> tuple[dict[str, str], int, int]:
+    """Return ({name: what Coq proves of a theorem, claims and additions}, how many points, how many false variants)."""
+    printed, more = statements(theorem), formally["statements"]
+    points, false = (sum(name.endswith(end) for name in more) for end in ("__point", "__false"))
+    claims = {name: printed[name] for name in formally["claims"]}
+    return claims | {n: text for n, text in more.items() if not n.endswith(BESIDE)}, points, false
 
 
 def axioms(names: list[str]) -> str:
@@ -128,7 +131,7 @@ def all_theorems(here: SphinxDirective) -> Nodes:
     return parts
 
 
-CALLED = (axioms, beside, certificate, coq, count, evidence_line, in_full, killed, kind, proof_address)
+CALLED = (axioms, certificate, coq, count, evidence_line, in_full, killed, kind, proof_address, said_by_coq)
 TEMPLATES.globals.update(
     {function.__name__: function for function in CALLED},
     BEFORE=BEFORE,

@@ -44,6 +44,6 @@ def evidence_line(entry: dict) -> str:
     grade = entry.get("grade_line", entry["grade"])
     line = f"{grade}: {'; '.join(findings(entry))}" if findings(entry) else grade
     if entry.get("shown") == "formal":
-        statements = len(set(entry["formal"]["printed"].values())) + len(entry["formal"]["statements"])
-        line = f"formal: {count(statements, 'statement')} in Coq, {entry['formal']['when']}; {line}"
+        statements = sum(len(entry["formal"][of]) for of in ("claims", "statements"))
+        line = f"formal: {count(statements, 'statement')} in Coq, {entry['when']}; {line}"
     return line[0].upper() + line[1:]

@@ -1,6 +1,7 @@
 """The sentences that a search has found: every paragraph of the book in a script, which needs no server to be read."""
 
 import json
+import pickle
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -8,7 +9,7 @@ from xml.etree import ElementTree
 
 from docutils import nodes
 from sphinx.addnodes import pending_xref
-from sphinx.application import Sphinx
+from sphinx.application import ENV_PICKLE_FILENAME, Sphinx
 
 from book.extension.elements import Filled, Page, on, on_page
 from book.extension.mathematics import typeset
@@ -84,6 +85,8 @@ def write_texts(app: Sphinx, error: Exception | None) -> None:
         for script, name, known in ((SCRIPTS[0], "SearchText", pages), ("statements.js", "Statements", first)):
             text = f"var {name} = {json.dumps(known, **COMPACT)};\n"
             (Path(app.outdir) / "_static" / script).write_text(text, encoding="utf-8")
+        # With what pages gave the search's index, for a build of some of them: Sphinx keeps it before that.
+        Path(app.doctreedir, ENV_PICKLE_FILENAME).write_bytes(pickle.dumps(app.env))
 
 
 @on_page

@@ -12,7 +12,6 @@ from book.assembly import report
 from book.assembly.contents import placed
 from proofs.engine.project import PROJECT
 from proofs.engine.theorem import Theorem, all_theorems
-from proofs.printers.coq_statements import statements
 from verify.coq import formal
 
 CLAIMS_PAGE = PROJECT.page.get("findings", "index")
@@ -85,14 +84,12 @@ class Proofs:
 def load(book: Path) -> Proofs:
     """Return everything about the theorems; raises NoReport or ValueError."""
     theorems, entries, accepted = all_theorems(), report.load(), formal.record()
+    when = accepted and formal.when()
     for id, entry in entries.items():
-        entry["formal"] = in_coq = accepted.get(id)
-        if in_coq:
-            printed = statements(theorems[id])
-            in_coq |= {"printed": {name: printed[name] for name in in_coq["claims"]}, "when": formal.when()}
-        formally = formal.is_formal(theorems[id], in_coq) and entry["grade"] == "proved"
+        entry |= {"formal": accepted.get(id), "when": when}
+        formally = formal.is_formal(theorems[id], entry["formal"]) and entry["grade"] == "proved"
         entry["shown"] = "formal" if formally else entry["grade"]
-        entry["word"] = f"Coq, {in_coq['when']}" if formally else WORDS.get(kind(entry["shown"]), "")
+        entry["word"] = f"Coq, {when}" if formally else WORDS.get(kind(entry["shown"]), "")
     return Proofs(theorems, entries, placements(book, theorems))
 
 

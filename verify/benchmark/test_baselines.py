@@ -12,6 +12,7 @@ from renderer.picture.facts import SEED_MODELS
 from renderer.picture.stage import SURFACE_BITS
 from verify.benchmark.baselines.seed_loops import PRINTED, seed_loops
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
 SIDE = 48  # with such sides no pixel lies on a crease, where there is no gradient to agree on
 LOOPS_AGREE = 1e-11  # their frame by √(1 − N_z²) and v by acos lose digits towards the pole (F20)
 

@@ -1,5 +1,6 @@
 """The checkers: what the kernels must refuse, in statements, in certificates and in files; and what they accept."""
 
+import inspect
 import json
 import subprocess
 import sys
@@ -10,7 +11,7 @@ import pytest
 
 from proofs import check
 from proofs.check import canonical
-from proofs.engine import kernel, project, stored
+from proofs.engine import kernel, project, standalone, stored
 from proofs.engine.stored import FOLDER
 from proofs.engine.theorem import all_theorems
 from verify.checkers.known_bad import reasons_of, wrong_verdicts
@@ -87,3 +88,26 @@ def test_bytes_that_another_writer_would_write_are_no_certificates(tmp_path, mon
         with pytest.raises(stored.Stale, match="of its stored certificates"):
             stored.stored(theorems["unit_length"])
     assert check.main(["nothing"]) == 2 and "nothing" in capsys.readouterr().err
+
+
+def bare(*command):
+    """Run Python with the standard library alone; return its status, what it printed and its errors."""
+    done = subprocess.run([sys.executable, "-I", "-S", "-X", "utf8", *command], capture_output=True, encoding="utf-8")
+    return done.returncode, done.stdout, done.stderr
+
+
+SCRIPTS = [  # changes behind the first certificate's beginning
+    ("unit_length", '"1"', '"2"', "REJECTED: ('the two sides differ'"),
+    ("tangent_frame", '"is": "="', '"is": ">="', "tangent_frame: REJECTED."),
+]
+
+
+@pytest.mark.parametrize(("id", "was", "changed", "says"), SCRIPTS)
+def test_a_changed_script_is_rejected(id, was, changed, says, tmp_path):
+    """The script's own kernel rejects it. `tests/test_book_theorems.py` runs the scripts that the book offers."""
+    head, certificate, tail = standalone.standalone_script(id).partition('"certificate"')
+    assert all(inspect.getsource(part).strip() in head + certificate + tail for part in (kernel, check, standalone.run))
+    path = tmp_path / "theorem.py"
+    path.write_text(head + certificate + tail.replace(was, changed, 1), "utf-8")
+    status, printed, errors = bare(str(path))
+    assert (status, errors) == (1, "") and says in printed

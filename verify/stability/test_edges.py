@@ -8,6 +8,8 @@ import pytest
 
 from renderer import Light, Scene, central, exact, render
 
+pytestmark = pytest.mark.usefixtures("by_numpy")
+
 
 def lit(*position, ball=False):
     """Return the fields of a scene with one light there."""
