@@ -67,11 +67,11 @@ pixels = Theorem(
     },
     hypotheses=(
         *LIMITS,
-        "float64 numbers; all this of what the channel needs; a power has no rule, and whole powers are "
-        "recorded as the default scene's: of others the bounds are measured",
+        "float64 numbers; all this of what the channel needs; whole powers are recorded as the default scene's: of "
+        "others the bounds are measured",
         r"the scene's numbers are within their bounds, constants within half of their last digit; what is missed is "
         r"$2^{1023}$ away; the ten pixels are of $256^2$",
-        "where a sine or an angle is exact the machine counts less",
+        "where a sine, an angle or an exponent is exact the machine counts less",
     ),
     expected="proved",
 )
