@@ -64,7 +64,7 @@ theorem = Theorem(
         $3\cdot2^{-22}$.""": _rules,
         r"""So of every program of at most $2^{28}$ such operations, with selections by any condition: whatever float64
         computes is within the bound that the machine counts with it, and no divisor that this needs is 0.""": coq(
-            "enclosing_rules__whole_programs 3712e6ed4dc758d8"
+            "enclosing_rules__whole_programs 1916a0f7fdc8c7d4"
         ),
     },
     hypotheses=LIMITS,

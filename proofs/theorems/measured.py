@@ -60,7 +60,7 @@ pixels = Theorem(
     {
         r"""Every channel of a pixel is within the bound that is counted with it of its exact value: by the program that
         is recorded from the shader, for every field and bump, both models and up to five lights.""": coq(
-            "pixel_accuracy__recorded ef777e73307fe895"
+            "pixel_accuracy__recorded 1b664a13e7cd0305"
         ),
         r"""Of ten pixels of the default scene, each in a chamber of its own, Coq computes the counts, too: every
         channel is within $21\cdot10^{-14}$ of its exact value.""": coq("pixel_accuracy__ten_pixels 9e3cfb9bb9c6c3b8"),
