@@ -36,6 +36,7 @@ from renderer.scene.scene import BUMPS
 from renderer.shader.numbers import SCENE_FORM, numbers_of
 from tests.strategies import methods, rasters, scenes
 from verify.coq.recorded_pixel import ANY, WANTS, recorded
+from verify.coq.recorder import values_of
 
 LANES = [2, 4, 8, 16]
 SIZE = (49, 32)
@@ -148,24 +149,6 @@ def done(name, *numbers):
     return (getattr(operator, f"__{name}__", None) or getattr(kernels, name))(*numbers)
 
 
-@np.errstate(all="ignore")
-def run(inputs):
-    """Return the numbers of the recorded program's lines."""
-    inputs, numbers = iter(inputs), []
-
-    def holds(condition, compared):
-        kind, *parts = condition
-        return done(kind, *(holds(p, compared) if isinstance(p, tuple) else compared[p] for p in parts))
-
-    for kind, text, *places in RECORDING.lines:
-        given = [numbers[place] for place in places]
-        if kind == "where":
-            given = [holds(text, given[2:]), *given[:2]]
-        number = done(kind, *given) if given else next(inputs) if kind == "input" else float.fromhex(text)
-        numbers.append(np.asarray(number, np.float64))
-    return numbers
-
-
 def of_any(shot, known_powers):
     """Return a scene's numbers, as the recorded program of any scene takes them, and the lights'."""
     numbers, lights = numbers_of(shot)
@@ -186,7 +169,9 @@ def test_a_recorded_pixel_has_the_bits_of_the_picture(scene, size, method):
     frame = render(scene, *size, method)
     chosen, lights = of_any(frame.shot, known)
     x, y = frame.raster.image_points(scene)
-    numbers = run(chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(0.0)))
+    inputs = chain((x, y[:, None], 0.0, 0.0), flat(chosen), lights.ravel(), repeat(np.zeros(())))
+    with np.errstate(all="ignore"):
+        numbers = values_of(RECORDING.lines, inputs, done)
     drawing = len(WANTS) * len(lights) + (2 if known else scene.horizon)
     code, *colors = (numbers[RECORDING.outputs[name][drawing]] for name in ("code", *COLORS))
     assert (code == frame.chambers).all()

@@ -85,3 +85,9 @@ def work_precision_frames(record: dict) -> Drawing:
         numbers[field] = {work_precision.key_of(r["method"]): {"error": r[error]} for r in best}
         numbers[field]["beaten_by"] = len(work_precision.peers_that_beat(rows, "ms", error))
     return Drawing(numbers=numbers)
+
+
+@figure(record="work_precision")
+def derivative_times(record: dict) -> Drawing:
+    """How many times as long as the picture its slopes take, and as they other ways do; numbers only."""
+    return Drawing(numbers=record["slopes"])

@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 from proofs.engine.program import Program
+from renderer import render
 from verify.benchmark.methods.table import METHODS
+from verify.benchmark.slopes import SCENE, SIDE, picture_by
 from verify.benchmark.work_precision import largest_error, peers_that_beat, points_for, unbeaten_by_ours
 from verify.evidence.records import read
 
@@ -50,3 +52,9 @@ def test_no_formula_is_made_while_the_gradient_is_timed(name, monkeypatch):
     function, points = method.make(method.values[0]), points_for(method, 2)
     monkeypatch.delattr(Program, "__init__")
     assert np.shape(function(*points)) == (2, 2)
+
+
+@np.errstate(all="ignore")
+def test_a_library_draws_the_picture_whose_slope_is_timed():
+    planes = np.broadcast_arrays(*picture_by(np, SCENE.beta))
+    assert np.abs(np.stack(planes, axis=2) - render(SCENE, SIDE, SIDE).rgb).max() < 1e-12

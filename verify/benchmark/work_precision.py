@@ -1,4 +1,4 @@
-"""Measure time against error of every way to take the gradient, and of frames:
+"""Measure time against error of every way to take the gradient, and of frames; and the time of pictures' slopes:
 
     python -m verify.benchmark.work_precision            (some minutes, on a machine that does nothing else)
 
@@ -24,6 +24,7 @@ from renderer import Scene, central, central4, exact, forward, render, stage_of
 from renderer.intervals import rms
 from renderer.picture.frame import Frame
 from verify.benchmark.methods.table import FIELD, FULL, METHODS, STEPS, WAVES, Method, sample
+from verify.benchmark.slopes import slope_numbers
 from verify.benchmark.timing import Case, numbers_by_calls
 from verify.evaluate.arrays import distance, in_balls
 from verify.evidence.records import command
@@ -149,13 +150,14 @@ def peers_that_beat(rows: Sequence[Row], cost: str = "ns", error: str = "error")
 
 
 def measure(rounds: int, pixels: int) -> dict[str, Any]:
-    """Return the rows of both diagrams, and what the label says more: pixels is how many are checked of each field."""
+    """Return the rows of both diagrams, slopes' numbers, and the label's; pixels: how many are checked of a field."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     absent = sorted(m.name for m in METHODS if not m.available)
     print(f"left out, not installed: {', '.join(absent) or 'none'}")
     more = {"absent": absent, "seed": SEED, "rounds": rounds, "side": SIDE}
-    return {"label": more, "gradients": gradient_rows(rounds), "frames": frame_rows(rounds, pixels)}
+    rows = {"gradients": gradient_rows(rounds), "frames": frame_rows(rounds, pixels)}
+    return {"label": more, **rows, "slopes": slope_numbers(rounds)}
 
 
 main = partial(command, "work_precision", __doc__, measure, rounds=ROUNDS, pixels=PIXELS)

@@ -4,9 +4,11 @@ Operations have Python's names. A condition is no line: a selection has it, and 
 which each mask holds for some pixel, all steps are recorded.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial, partialmethod
 from typing import Any
+
+import numpy as np
 
 from renderer.machines.forms import Step
 from renderer.machines.numpy_rows import Rows
@@ -111,3 +113,22 @@ class Recorder(Rows):
         for number, other in enumerate(others, 1):
             chosen = [where(index == float(number), *sides) for sides in zip(other, chosen, strict=True)]
         return chosen
+
+
+def values_of(lines: Iterable[tuple], inputs: Iterable, done: Callable) -> list:
+    """Return the values of recorded lines for their inputs in order; done(name, *numbers): an operation's result."""
+    values: list[Any] = []
+    inputs = iter(inputs)
+
+    def holds(condition, compared):
+        kind, *parts = condition
+        return done(kind, *(holds(p, compared) if isinstance(p, tuple) else compared[p] for p in parts))
+
+    for kind, text, *places in lines:
+        taken = [values[place] for place in places]
+        if kind == "where":
+            taken = [holds(text, taken[2:]), *taken[:2]]
+        values.append(
+            done(kind, *taken) if taken else next(inputs) if kind == "input" else np.float64(float.fromhex(text))
+        )
+    return values
