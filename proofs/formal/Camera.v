@@ -266,22 +266,6 @@ Proof.
   replace (5 / 3) with (25 / (sqrt 15 * sqrt 15)) by (rewrite Q; field). field. lra.
 Qed.
 
-(* A pixel's centre is at x = (2 m - 255) sqrt 15 / 768, y = (1083 - 10 n) sqrt 15 / 3840. *)
-Theorem pixels_off_the_pole__centre m n : pixel_x m = (2 * IZR m - 255) * sqrt 15 / 768 /\ pixel_y n = (1083 - 10 * IZR n) * sqrt 15 / 3840.
-Proof.
-  of_pixels. set (q := sqrt 15) in *.
-  replace (5 / 4 * 4 * 1 / q) with (q / 3).
-  - split; field.
-  - apply (Rmult_eq_reg_r (3 * q)); [field_simplify; lra | lra].
-Qed.
-
-(* The rows do not go up. *)
-Theorem pixels_off_the_pole__centre__false : ~ forall n : Z, pixel_y n = (10 * IZR n - 1083) * sqrt 15 / 3840.
-Proof.
-  intros F. specialize (F 0%Z). rewrite (proj2 (pixels_off_the_pole__centre 0 0)) in F.
-  pose proof (sqrt_lt_R0 15 ltac:(lra)). lra.
-Qed.
-
 Lemma pixel_far m n : 34 / 15 / 256 ^ 2 <= pixel_x m ^ 2 + pixel_y n ^ 2.
 Proof.
   rewrite pixel_value. assert (A : 1 <= (2 * IZR m - 255) ^ 2).
@@ -311,87 +295,6 @@ Proof. apply off_axis_far; [| pose proof (pixel_far m n)]; lra. Qed.
 
 Lemma sqrt_is a b : 0 <= b -> a = b ^ 2 -> sqrt a = b.
 Proof. intros B ->. apply sqrt_pow2, B. Qed.
-
-(* The surface shown is that of the nearest hit: A's (1) before B's (2) before the floor's (3), which is at t = 1; 0 is
-   the background. *)
-Theorem bump_moves_no_boundary__surface (x y e r bx by_ bz br on floor : R) :
-  let ta := hit_of_a.t_a x y e r in let tb := hit_of_b.t_b x y e bx by_ bz br on in
-  let tf := nearest.t_floor floor in
-  let s := visible_surface.surface x y e r bx by_ bz br on floor in
-  let a := Rbar_lt ta p_infty /\ Rbar_le ta tb /\ Rbar_le ta tf in
-  let b := Rbar_lt tb p_infty /\ Rbar_le tb tf in let c := Rbar_lt tf p_infty in
-  ((s = 1 <-> a) /\ (s = 2 <-> ~ a /\ b) /\ (s = 3 <-> ~ a /\ ~ b /\ c) /\ (s = 0 <-> ~ a /\ ~ b /\ ~ c)) /\
-  (0 < floor -> tf = Finite 1) /\ (floor <= 0 -> tf = p_infty).
-Proof.
-  intros ta tb tf s a b c. unfold s, visible_surface.surface. change (visible_surface.t_floor floor) with tf.
-  replace (visible_surface.t_a x y e r) with ta by reflexivity. replace (visible_surface.t_b x y e bx by_ bz br on) with tb by reflexivity.
-  split; [| unfold tf, nearest.t_floor; destruct Rlt_dec; split; intros; (reflexivity || lra)].
-  destruct both as [[[]] | [[] |]]; [| destruct both as [[] | []]; try destruct Rbar_lt_dec ..]; unfold a, b, c; repeat split; intros; try lra; tauto.
-Qed.
-
-(* Not the floor whenever there is one. *)
-Theorem bump_moves_no_boundary__surface__false : ~ forall x y e r bx by_ bz br on floor, 0 < floor -> visible_surface.surface x y e r bx by_ bz br
-  on floor = 3.
-Proof.
-  intros F. destruct point_a as (H & O & D). specialize (F (1 / 2) 0 4 1 0 0 0 1 0 1 ltac:(lra)).
-  destruct (bump_moves_no_boundary__surface (1 / 2) 0 4 1 0 0 0 1 0 1) as ((S & _) & T & _).
-  destruct (t_a_near (1 / 2) 0 4 1 ltac:(lra) O ltac:(lra)) as (t & A & _ & L & _).
-  assert (B : hit_of_b.t_b (1 / 2) 0 4 0 0 0 1 0 = p_infty)
-    by (unfold hit_of_b.t_b; destruct both as [[[Z _] _] | _]; [lra | reflexivity]).
-  rewrite A, B, (T ltac:(lra)) in S. enough (1 = 3) by lra. rewrite <- F. symmetry. apply S. simpl. repeat split; lra.
-Qed.
-
-Lemma sine_between x n : IZR n < x < IZR n + 1 -> exists s, 0 < s /\ sin (PI * x) = s * cos (PI * IZR n).
-Proof.
-  intros H. pose proof PI_RGT_0. exists (sin (PI * (x - IZR n))). split; [apply sin_gt_0; nra |].
-  replace (PI * x) with (PI * (x - IZR n) + PI * IZR n) by ring.
-  rewrite sin_plus, (proj2 (sine_zero (IZR n))) by (exists n; reflexivity). ring.
-Qed.
-
-Lemma whole_turns k : cos (PI * IZR (2 * k)) = 1 /\ cos (PI * IZR (2 * k + 1)) = -1.
-Proof.
-  assert (C : cos (PI * IZR (2 * k)) = 1).
-  { rewrite mult_IZR. replace (PI * (2 * IZR k)) with (2 * (PI * IZR k)) by ring.
-    rewrite cos_2a_sin, (proj2 (sine_zero (IZR k))) by (exists k; reflexivity). ring. }
-  split; [exact C |]. rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, C, !Rmult_1_r, cos_PI, sin_PI. ring.
-Qed.
-
-Lemma floor_between x : x <> IZR (Int_part x) -> IZR (Int_part x) < x < IZR (Int_part x) + 1.
-Proof. intros H. destruct (base_Int_part x). lra. Qed.
-
-Lemma half_floor n : IZR n <> 2 * IZR (Int_part (1 / 2 * IZR n)) <-> Z.Odd n.
-Proof.
-  destruct (base_Int_part (1 / 2 * IZR n)) as [A B]. set (k := Int_part (1 / 2 * IZR n)) in *. split.
-  - intros H. exists k. assert (2 * k < n)%Z by (apply lt_IZR; rewrite mult_IZR; lra).
-    assert (n < 2 * k + 2)%Z by (apply lt_IZR; rewrite plus_IZR, mult_IZR; lra). lia.
-  - intros [j ->] E. rewrite plus_IZR, mult_IZR in E. assert (2 * j + 1 = 2 * k)%Z; [| lia].
-    apply eq_IZR. rewrite plus_IZR, !mult_IZR. lra.
-Qed.
-
-(* A checker square is dark exactly where sin (pi x) sin (pi y) < 0: a grid line is light. *)
-Theorem bump_moves_no_boundary__checker x y : checker.dark x y = 1 <-> sin (PI * x) * sin (PI * y) < 0.
-Proof.
-  assert (Z : forall a, a = IZR (Int_part a) -> sin (PI * a) = 0) by (intros a E; apply sine_zero; eauto).
-  destruct (Req_dec x (IZR (Int_part x))) as [X | X];
-    [rewrite (Z x X); checker.lines; destruct both as [[[]] |]; [contradiction | lra] |].
-  destruct (Req_dec y (IZR (Int_part y))) as [Y | Y];
-    [rewrite (Z y Y); checker.lines; destruct both as [[[]] |]; [contradiction | lra] |].
-  assert (D : checker.dark x y = 1 <-> Z.Odd (Int_part x + Int_part y)).
-  { rewrite <- half_floor, plus_IZR. checker.lines. destruct both as [[_ S] | [[] | S]]; split; intros; lra || contradiction || reflexivity. }
-  rewrite D. destruct (sine_between x _ (floor_between x X)) as (s & S & ->), (sine_between y _ (floor_between y Y)) as (t & T & ->).
-  pose proof (Rmult_lt_0_compat _ _ S T).
-  replace (_ * _) with (s * t * cos (PI * IZR (Int_part x + Int_part y))).
-  - destruct (Z.Even_or_Odd (Int_part x + Int_part y)) as [[k E] | [k E]]; rewrite E, ?(proj1 (whole_turns k)), ?(proj2 (whole_turns k)); split;
-    intros O; try lra; [destruct O; lia | exists k; reflexivity].
-  - rewrite plus_IZR, Rmult_plus_distr_l, cos_plus, (proj2 (sine_zero (IZR (Int_part x)))) by eauto. ring.
-Qed.
-
-(* Not where it is > 0. *)
-Theorem bump_moves_no_boundary__checker__false : ~ forall x y, checker.dark x y = 1 <-> 0 < sin (PI * x) * sin (PI * y).
-Proof.
-  intros F. specialize (F (1 / 2) (1 / 2)). rewrite bump_moves_no_boundary__checker in F.
-  replace (PI * (1 / 2)) with (PI / 2) in F by field. rewrite sin_PI2 in F. lra.
-Qed.
 
 (* The view direction is the unit vector from the image point (x, y, 0), and so from every point of its ray, to the
    eye. *)

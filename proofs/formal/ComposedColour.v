@@ -36,7 +36,7 @@ Theorem colour_accuracy__of_the_difference theta phi u v k_u k_v epsilon nx ny n
 Proof.
   intros m2 d2 h_u h_v m delta mu' exact slopes Su Sv Cu Cv. intros. pose proof proj1 (difference_bounds__in_float64_u _ _ _ _ _ Su Cv) as Eu.
     pose proof proj1 (difference_bounds__in_float64_v _ _ _ _ _ Sv Cu) as Ev.
-  eapply through; [apply (colour_accuracy__composed nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p); assumption|]. at_most_by difference_bound_clip;
+  eapply through; [apply (composed_colour nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p); assumption|]. at_most_by difference_bound_clip;
     apply share_moves; try assumption.
   change (light_direction.mu _ _ _ _ _ _ _ _ _) with (mu (px, py, pz) (lx, ly, lz) (perturbed.bumped_x nx ny nz gx gy gz beta, perturbed.bumped_y nx
     ny nz gx gy gz beta, perturbed.bumped_z nx ny nz gx gy gz beta)).

@@ -4,8 +4,10 @@ From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
+From Coq Require Import List.
 From Formal Require Import Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedRelative RoundedExponential EnclosingRules EnclosingBounds.
 Open Scope R_scope.
+Import ListNotations.
 
 (* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. *)
 Section half_turns.
@@ -43,43 +45,61 @@ Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
 Proof. of_half_turns cos (fun x => - sin x) @proj2. exact is_derive_cos. intro t. generalize (SIN_bound t). lra. exact COS_bound. Qed.
 
 (* A function that rises or falls lies between its values at the ends of what its argument can be. *)
-Lemma reached s x e : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> let reach := rounded (rounded (rounded (ROUNDING * e) + rounded (1 /
-  4503599627370496 * Rabs x)) * SLACK) in (forall x', Rabs (x - x') <= s * (e / 2 ^ 53) -> rounded (x - reach) + Rabs x / 2 ^ 54 - 32 * underflow
-  <= x' <= rounded (x + reach) - Rabs x / 2 ^ 54 + 32 * underflow) /\ 0 <= reach <= ROUNDING * e * (1 + 2 ^ 6 * unit53) + 2 ^ 7 * unit53 * Rabs x
+Definition reach x e := rounded (rounded (rounded (ROUNDING * e) + rounded (1 / 4503599627370496 * Rabs x)) * SLACK).
+Lemma reached s x e : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> 0 <= e -> (forall x', Rabs (x - x') <= s * (e / 2 ^ 53) -> rounded (x - reach x e) + (Rabs x /
+  2 ^ 54 + e / 2 ^ 76) -
+    32 * underflow <= x' <= rounded (x + reach x e) - (Rabs x / 2 ^ 54 + e / 2 ^ 76) + 32 * underflow) /\ 0 <= reach x e <= ROUNDING * e * (1 + 2 ^ 6
+    * unit53) + 2 ^ 7 * unit53 * Rabs x
   + 32 * underflow.
 Proof.
-  intros S1 S2 E. destruct (bound_of s e S1 S2 E) as [_ B]. pose proof proj1 underflow_in_least as T. pose proof Rabs_pos x as A. cbv zeta. counts b
+  intros S1 S2 E. multiplied e S2. pose proof proj1 underflow_in_least as T. pose proof Rabs_pos x as A. unfold reach. counts b
     (ROUNDING * e). counts h (1 / 4503599627370496 * Rabs x). rounds q (b + h). counts r (q * SLACK).
   pose proof rounding_error (x - r) as L. pose proof rounding_error (x + r) as U. pose proof Rabs_triang x (- r) as Sl. pose proof Rabs_triang x r as Sh.
     rewrite Rabs_Ropp in Sl. rewrite (Rabs_pos_eq r) in Sl, Sh by assumption. change (x + - r) with (x - r) in Sl.
   both_ways L. both_ways U. clearbody b h q r. split; [intros x' D; both_ways D|]; in_units.
 Qed.
-Lemma furthest_of a b : float64 a -> float64 b -> 0 <= a -> let first := if Rlt_dec 0 a then a else 0 in let furthest := if Rlt_dec first b then b
-  else first in float64 furthest /\ a <= furthest /\ b <= furthest.
-Proof. intros A B P. cbv zeta. destruct (Rlt_dec 0 a); destruct Rlt_dec; (split; [assumption || apply generic_format_0 | split; lra]). Qed.
-Lemma monotone_rule s f e1 e2 t1 t2 y k V : 1 <= s -> float64 f -> float64 e1 -> float64 e2 -> float64 V -> 0 <= V -> 0 <= k <= 16 * unit53 -> t1
-  <= y <= t2 -> Rabs (e1 - t1) + 2 ^ 4 * underflow <= 9/8 * (k * Rabs e1) + 1/2 * (k * Rabs f) + V -> Rabs (e2 - t2) + 2 ^ 4 * underflow <= 9/8 *
-  (k * Rabs e2) + 1/2 * (k * Rabs f) + V -> let own e := rounded (rounded (k * Rabs e) + V) in let away e := rounded (Rabs (rounded (e - f)) + own
-  e) in let first := if Rlt_dec 0 (away e1) then away e1 else 0 in let furthest := if Rlt_dec first (away e2) then away e2 else first in let c :=
-  rounded (9007199254740992 * rounded (rounded (furthest + own f) * SLACK)) in float64 c /\ 0 <= c /\ Rabs (f - y) <= s * (1 + 1 / 2 ^ 49) * (c /
-  2 ^ 53).
+(* The furthest of some distances, and at least m. *)
+Lemma furthest_of l : forall m, float64 m -> Forall float64 l -> let furthest := fold_left (fun m a => if Rlt_dec m a then a else m) l m in float64
+  furthest /\ m <= furthest /\ Forall (fun a => a <= furthest) l.
 Proof.
-  intros S F E1 E2 Fv Pv K Y T1 T2 own away. pose proof proj1 underflow_in_least as T.
-  assert (W : forall e t, float64 e -> Rabs (e - t) + 2 ^ 4 * underflow <= 9/8 * (k * Rabs e) + 1/2 * (k * Rabs f) + V -> float64 (away e) /\ 0 <=
-    away e /\ Rabs (f - t) + 8 * underflow <= (away e + (k * Rabs f + V) * (1 - 3 * unit53)) * (1 + 10 * unit53)).
-  { intros e t E D. destruct (own_error k V e Fv ltac:(lra) ltac:(lra)) as (Fo & Po & Co). fold (own e) in Fo, Po, Co. pose proof
-    own_rounding_of_sum e (- f) E (generic_format_opp _ _ _ F) as O. change (e + - f) with (e - f) in O. unfold away. set (d := rounded (e - f))
-    in *.
-    counts a (Rabs d + own e). is_count.
-    pose proof Rabs_triang_inv (e - f) d as M1. rewrite Rabs_minus_sym in O. pose proof Rabs_triang (f - e) (e - t) as M2. replace (f - e + (e - t)) with
-      (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. pose proof Rabs_triang_inv e f as M3.
-    multiplied (Rabs (e - f)) (proj2 K). multiplied k M3. assert (0 <= k * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by is_not_negative.
-      assert (0 <= Rabs (e - f)) by is_not_negative. in_units. }
-  destruct (W e1 t1 E1 T1) as (F1 & P1 & D1). destruct (W e2 t2 E2 T2) as (F2 & P2 & D2). clear W. destruct (own_error k V f Fv ltac:(lra) ltac:(lra))
-    as (Fo & Po & Co). fold (own f) in Fo, Po, Co. intros first furthest.
-  destruct (furthest_of _ _ F1 F2 P1) as (Ff & G1 & G2). fold first in Ff, G1, G2. fold furthest in Ff, G1, G2.
-  apply made_a_count; try assumption; [lra|]. pose proof Rle_abs (f - t1) as K1. pose proof Rle_abs (- (f - t2)) as K2. rewrite Rabs_Ropp in K2.
-  assert (0 <= k * Rabs f) by is_not_negative. clearbody own away furthest. unfold Rabs at 1. destruct Rcase_abs; in_units.
+  induction l as [|a l IH]; intros m M A; cbn [fold_left]; [repeat split; [exact M | lra | constructor]|]. inversion_clear A as [|? ? Fa Fl].
+  destruct (IH (if Rlt_dec m a then a else m) ltac:(destruct Rlt_dec; assumption) Fl) as (F & L & U). destruct Rlt_dec; repeat split; try apply Forall_cons; try
+    assumption; lra.
+Qed.
+Lemma end_reached f e t V k l g : float64 f -> float64 e -> float64 V -> 0 <= V -> 0 <= k -> 0 <= g <= 8 * unit53 -> g <= l -> Rabs (e - t) + 2 ^ 4 *
+  underflow <= k * Rabs e + 6/10 * (g * Rabs e) + 1/4 * (g * Rabs f) + V -> let a := rounded (Rabs (rounded (e - f)) + rounded (rounded (k * Rabs e) +
+  V)) in float64 a /\ Rabs (f - t) + 8 * underflow <= (a + (l * Rabs f + V) * (1 - 3 * unit53)) * (1 + 10 * unit53).
+Proof.
+  intros F E Fv Pv K [P G] L D a. pose proof proj1 underflow_in_least as T. destruct (own_error k V e Fv Pv K) as (Fo & Po & Co). pose proof
+    own_rounding_of_sum e (- f) E (generic_format_opp _ _ _ F) as O. change (e + - f) with (e - f) in O. subst a. set (d := rounded (e - f)) in *. set
+    (own := rounded (_ + V)) in *.
+  counts a (Rabs d + own). split; [is_float64|].
+  pose proof Rabs_triang_inv (e - f) d as M1. rewrite Rabs_minus_sym in O. pose proof Rabs_triang (f - e) (e - t) as M2. replace (f - e + (e - t)) with
+    (f - t) in M2 by ring. rewrite (Rabs_minus_sym f e) in M2. pose proof Rabs_triang_inv e f as M3.
+  multiplied (Rabs (e - f)) G. multiplied g M3. multiplied (Rabs f) L. assert (0 <= g * Rabs f) by is_not_negative. assert (0 <= k * Rabs e) by
+    is_not_negative. assert (0 <= Rabs (e - f)) by is_not_negative. in_units.
+Qed.
+(* What is charged at an end, and the furthest that some ends are away; of each end, what is computed and what it stands for. *)
+Definition charge k V e := rounded (rounded (k e * Rabs e) + V).
+Definition furthest f (k : R -> R) V (ends : list (R * R)) := fold_left (fun m a => if Rlt_dec m a then a else m) (map (fun n => rounded (Rabs (rounded
+  (fst n - f)) + charge k V (fst n))) ends) 0.
+Lemma monotone_rule s f V k g y ends : 1 <= s -> float64 f -> float64 V -> 0 <= V -> (forall e, g <= k e) -> 0 <= g <= 8 * unit53 -> Forall (fun n =>
+  float64 (fst n) /\ Rabs (fst n - snd n) + 2 ^ 4 * underflow <= k (fst n) * Rabs (fst n) + 6/10 * (g * Rabs (fst n)) + 1/4 * (g * Rabs f) + V) ends
+  -> Exists (fun n => snd n <= y) ends -> Exists (fun n => y <= snd n) ends -> let c := rounded (9007199254740992 * rounded (rounded (furthest f k V ends
+  + charge k V f) * SLACK)) in float64 c /\ 0 <= c /\ Rabs (f - y) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Proof.
+  intros S F Fv Pv K G A L1 L2. pose proof proj1 underflow_in_least as T. rewrite Forall_forall in A. rewrite Exists_exists in L1, L2. destruct L1 as (n1
+    & I1 & L1), L2 as (n2 & I2 & L2). set (away (n : R * R) := rounded (Rabs (rounded (fst n - f)) + charge k V (fst n))).
+  assert (W : forall n, In n ends -> float64 (away n) /\ Rabs (f - snd n) + 8 * underflow <= (away n + (k f * Rabs f + V) * (1 - 3 * unit53)) * (1 + 10
+    * unit53)).
+  { intros n I. destruct (A n I). apply end_reached with g; try assumption; [generalize (K (fst n)); lra | apply K]. }
+  assert (Kf : 0 <= k f) by (generalize (K f); lra). destruct (own_error (k f) V f Fv Pv Kf) as (Fo & Po & Co). fold (charge k V f) in Fo, Po, Co.
+  destruct (furthest_of (map away ends) 0) as (Ff & P0 & U); [apply generic_format_0 | apply Forall_map, Forall_forall; intros n I; apply W, I|]. rewrite
+    Forall_map, Forall_forall in U. change (fold_left _ (map away ends) 0) with (furthest f k V ends) in Ff, P0, U.
+  apply made_a_count; try assumption. destruct (W n1 I1) as [_ D1], (W n2 I2) as [_ D2]. specialize (U n1 I1) as U1. specialize (U n2 I2) as U2. pose
+    proof Rle_abs (f - snd n1) as K1. pose proof Rle_abs (- (f - snd n2)) as K2. rewrite Rabs_Ropp in K2.
+  assert (0 <= k f * Rabs f) by is_not_negative. set (o := charge k V f) in *. set (m := furthest f k V ends) in *. clearbody o m away. unfold Rabs at 1.
+    destruct Rcase_abs; in_units.
 Qed.
 
 Lemma vanishing : float64 (1 / 2 ^ 1020) /\ underflow * 2 ^ 20 <= 1 / 2 ^ 1020.
@@ -88,7 +108,8 @@ Lemma exponential_rises x y : x <= y -> exp x <= exp y.
 Proof. intros [L | ->]; [left; apply exp_increasing, L | apply Rle_refl]. Qed.
 (* The exponential at an end, which may lie below what float64 holds. *)
 Lemma exponential_at_an_end t d : float64 t -> t <= 709 -> Rabs d <= 1 / 2 ^ 100 -> let e := exponential_of_sum_float64.exponential t 0 in float64
-  e /\ Rabs (e - exp (t + d)) + 2 ^ 4 * underflow <= 9/8 * (1 / 4503599627370496 * Rabs e) + 1 / 2 ^ 1020.
+  e /\ Rabs (e - exp (t + d)) + 2 ^ 4 * underflow <= 1 / 4503599627370496 * Rabs e + 6/10 * (1 / 4503599627370496 * Rabs e) + 1 / 2 ^
+  1020.
 Proof.
   intros F L D e. pose proof proj2 vanishing as V. pose proof proj1 underflow_in_least as T. set (v := 1 / 2 ^ 1020) in *. pose proof exp_pos (t +
     d) as X.
@@ -107,11 +128,11 @@ Qed.
 Theorem enclosing_rules__exponential : Statements.enclosing_rules__exponential.
 Proof.
   intros s x e x' S1 S2 X E P D L U T. enclosed_exponential_float64.lines. fold ROUNDING. fold SLACK. pose proof one_is_float64 as F1.
-  pose proof elementary_functions__two_product x 1 X F1 as Q. rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 :
+  pose proof elementary_two_product x 1 X F1 as Q. rewrite Rmult_1_r in Q. specialize (Q (not_tiny x T)). assert (Q1 :
     two_product_float64.product x 1 = x) by (unfold two_product_float64.product; rewrite Rmult_1_r; exact (kept x X)).
   rewrite Q1 in *. replace (two_product_float64.product_error x 1) with 0 by lra. clear Q Q1. rewrite !(Rmult_1_r x), !(Rmult_1_l e), !(kept x X),
     !(kept e E). destruct Rbar_lt_dec as [_|N]; [|destruct (N I)].
-  generalize (reached s x e S1 S2 P). intros [R M]. specialize (R x' D). set (reach := rounded (rounded (_ + _) * SLACK)) in *. pose proof
+  generalize (reached s x e S1 S2 P). unfold reach. intros [R M]. specialize (R x' D). set (reach := rounded (rounded (_ + _) * SLACK)) in *. pose proof
     underflow_is_small as W. pose proof proj1 underflow_in_least as W0.
   assert (Top : rounded (x + reach) <= 709).
   { apply round_le_generic; [typeclasses eauto | typeclasses eauto | rewrite <- (Rmult_1_r 709); apply (whole_is_float64 709 0); easy|].
@@ -120,7 +141,10 @@ Proof.
   assert (Dl : Rabs (- (32 * underflow)) <= 1 / 2 ^ 100) by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). assert (Dh : Rabs (32 * underflow) <= 1 / 2 ^ 100)
     by (rewrite Rabs_pos_eq; lra).
   generalize (exponential_at_an_end _ _ (rounded_is_float64 _) Low Dl) (exponential_at_an_end _ _ (rounded_is_float64 _) Top Dh). intros [Fl El] [Fh Eh].
-  apply monotone_rule with (exp (rounded (x - reach) + - (32 * underflow))) (exp (rounded (x + reach) + 32 * underflow)); try assumption; [apply
-    (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] | apply vanishing | lra | in_units | split; apply exponential_rises; generalize
-    (Rabs_pos x); lra | generalize (Rabs_pos (exponential_of_sum_float64.exponential x 0)); lra..].
+  set (f := exponential_of_sum_float64.exponential) in *. assert (0 <= Rabs (f x 0)) by is_not_negative. apply (monotone_rule s (f x 0) (1 / 2 ^ 1020)
+    (fun _ => 1 / 4503599627370496) (1 / 4503599627370496) (exp x') [(f (rounded (x - reach)) 0, exp (rounded (x - reach) + - (32 * underflow))); (f
+    (rounded (x + reach)) 0, exp (rounded (x + reach) + 32 * underflow))]); [exact S1 | apply (exponential_at_an_end x 0 X); [lra | rewrite Rabs_R0; lra] |
+    apply vanishing | lra | intro; apply Rle_refl | in_units | | left | right; left]; cbn [fst snd]; [|apply exponential_rises; generalize (Rabs_pos x);
+    lra..].
+  repeat apply Forall_cons; try apply Forall_nil; (split; [assumption | cbn [fst snd]; lra]).
 Qed.

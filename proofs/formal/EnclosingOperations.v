@@ -3,7 +3,8 @@
 From Coq Require Import Reals Lra Lia ZArith List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Mult_error Pff2Flocq.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingFunctions EnclosingAngle EnclosingLogarithm.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingFunctions EnclosingAngle EnclosingLogarithm
+  EnclosingPower.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -88,7 +89,8 @@ Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := 
   Floor, [(_, (x, e))] => enclosed_floor_float64.below_error x e | Nearest, [(_, (x, e))] => enclosed_nearest_float64.nearest_error x e | Sine,
   [(_, (x, e)); (_, (y, d))] => enclosed_sine_float64.sine_error x e y d | Cosine, [(_, (x, e)); (_, (y, d))] =>
   enclosed_cosine_float64.cosine_error x e y d | Angle, [(_, (y, d)); (_, (x, e))] => enclosed_angle_float64.angle_error x e y d | Exponential,
-  [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e
+  [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e | Raised,
+  [(_, (x, e)); (_, (y, d))] => enclosed_power_float64.raised_error x e y d
   | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared => if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map
   snd compared)) then e else d | _, _ => 0 end.
 
@@ -105,7 +107,9 @@ Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, g
   => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488 | Root, [(_, (x, _))] => x >= 0 | Floor,
   [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(_, (x, e)); (_, (y, d))] | Cosine, [(_, (x, e)); (_, (y, d))] => turn_allowed x
   e y d | Angle, [(_, (y, _)); (_, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
-  x >= 1 \/ x = 0) | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | _, _ => False end.
+  x >= 1 \/ x = 0) | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(_, (x, e)); (_, (y, d))] => x >= 0 /\ y *
+  (x + e / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + e) >= 1 \/ x + e = 0) /\ 1024 * y >= 1 /\ y <= 524288 /\ d <= 2251799813685248 * y
+  | _, _ => False end.
 Lemma encloses_weaker s t n x : s <= t -> encloses s n x -> encloses t n x.
 Proof. intros L (V & C & P & D). repeat split; try assumption. at_most_by D. apply Rmult_le_compat_r; lra. Qed.
 Lemma not_more s n x : 1 <= s -> encloses s n x -> encloses (s * (1 + 1 / 2 ^ 49)) n x.
@@ -227,14 +231,16 @@ Proof.
   - destruct B as (B & -> & W). rewrite <- (Same _ _ Y). apply scaled_rule; assumption.
   - opened. split; [apply rounded_is_float64 | apply (enclosing_rules__product s x e x' y d y'); assumption].
 Qed.
-(* Coq's root of what is negative is 0, as of the nearest number that is not. *)
+(* Coq's root and power of what is negative are 0, as of the nearest number that is not. *)
+Lemma nearest_above x e x' : x >= 0 -> Rabs (x - x') <= s * (e / 2 ^ 53) -> Rabs (x - Rmax 0 x') <= s * (e / 2 ^ 53).
+Proof. intros X0 D. eapply Rle_trans; [|exact D]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs. repeat destruct Rcase_abs; lra. Qed.
 Lemma root_rule x e x' :  encloses s (x, e) x' -> x >= 0 -> encloses (s * (1 + 1 / 2 ^ 49))
   (enclosed_root_float64.root x, enclosed_root_float64.root_error x e) (sqrt x').
 Proof.
   intros (X & E & P & D) X0. assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
     sqrt_neg; lra]).
-  rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [|apply Rle_ge, Rmax_l].
-  eapply Rle_trans; [|exact D]. cbn [fst snd]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs. repeat destruct Rcase_abs; lra.
+  rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply nearest_above; assumption |
+    apply Rle_ge, Rmax_l].
 Qed.
 
 (* By a theorem about the parts of what is given. *)
@@ -267,5 +273,8 @@ Proof.
   - by_rule (enclosing_rules__angle s y ey y1 x ex x1) ltac:(apply angle_is_float64).
   - by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
   - by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
+  - assert (Q : power x1 y1 = power (Rmax 0 x1) y1) by (unfold power, Rmax; destruct Rle_dec; repeat destruct Rlt_dec; lra). rewrite Q. opened. split;
+      [apply power_is_float64|]. apply (enclosing_rules__power s x ex (Rmax 0 x1) y ey y1); try assumption; [apply nearest_above; assumption | apply Rle_ge,
+      Rmax_l].
 Qed.
 End rules.

@@ -139,7 +139,7 @@ Proof.
   intros p inputs exact output N A n. split.
   - unfold n. change 0 with (value_of zero_known). rewrite <- (around operation number R value_of (machine_of counted_roundings) in_float64) by
       reflexivity. rewrite map_nth. reflexivity.
-  - destruct (enclosing_rules__slack _ N) as [S B]. pose proof composition p 1 inputs exact (Rle_refl 1) as C. rewrite Rmult_1_l in C. specialize (C S
+  - destruct (slack_of_counts _ N) as [S B]. pose proof composition p 1 inputs exact (Rle_refl 1) as C. rewrite Rmult_1_l in C. specialize (C S
       A). intro K.
     destruct (nth_enclosed _ _ _ output C K) as (M & _ & _ & P & D). split; [exact M|]. at_most_by D.
     fold n. fold n in P. apply Rle_trans with ((1 + 1 / 2 ^ 49) ^ length p / 2 ^ 53 * snd (snd (snd n))); [lra | apply Rmult_le_compat_r; assumption].

@@ -365,15 +365,10 @@ Proof.
 Qed.
 
 (* So 2^28 operations, one after the other, leave a slack that the rules allow, and that ROUNDING makes up for. *)
-Theorem enclosing_rules__slack n : INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22 /\ (1 + 1 / 2 ^ 49) ^ n / 2 ^ 53 <= ROUNDING.
+Lemma slack_of_counts n : INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22 /\ (1 + 1 / 2 ^ 49) ^ n / 2 ^ 53 <= ROUNDING.
 Proof.
   intro N. assert (P : 0 < 1 + 1 / 2 ^ 49) by lra. assert (B : (1 + 1 / 2 ^ 49) ^ n <= 1 + 3 / 2 ^ 22); [|split; [exact B | in_units]].
   rewrite <- Rpower_pow by exact P. unfold Rpower. apply Rle_trans with (exp (2 ^ 28 * ln (1 + 1 / 2 ^ 49))); [|interval with (i_prec 100)].
   assert (L : INR n * ln (1 + 1 / 2 ^ 49) <= 2 ^ 28 * ln (1 + 1 / 2 ^ 49)) by (apply Rmult_le_compat_r; [interval with (i_prec 100) | exact N]).
   destruct (Rle_lt_or_eq_dec _ _ L) as [S|S]; [left; apply exp_increasing, S | right; rewrite S; reflexivity].
 Qed.
-Theorem enclosing_rules__slack__point : exists n : nat, INR n <= 2 ^ 28.
-Proof. exists 0%nat. simpl. lra. Qed.
-(* No slack at all is none. *)
-Theorem enclosing_rules__slack__false : ~ forall n : nat, INR n <= 2 ^ 28 -> (1 + 1 / 2 ^ 49) ^ n <= 1.
-Proof. intro H. generalize (H 1%nat ltac:(simpl; lra)). simpl. lra. Qed.

@@ -850,6 +850,457 @@ End program.
 Ltac lines := unfold logarithm_error, logarithm.
 End enclosed_logarithm_float64.
 
+Module enclosed_power_float64.
+Section program.
+Variables x x_error y y_error : R.
+Definition raised := raised_float64.power x y.
+Definition raised_error := rounded (9007199254740992 * (rounded ((rounded ((if Rbar_lt_dec (Finite (rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1048577 / 9444732965739290427392) * y_error)))))
+    p_infty then (if Rlt_dec (if Rlt_dec (if Rlt_dec (if Rlt_dec 0 (rounded ((Rabs (rounded ((raised_float64.power
+    (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded
+    ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) *
+    (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0) (rounded ((Rabs (rounded ((raised_float64.power
+    (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded
+    ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) *
+    (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if Rlt_dec 0 (rounded ((Rabs (rounded
+    ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded
+    ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) *
+    x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else
+    3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0)) (rounded ((Rabs (rounded ((raised_float64.power
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded
+    ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) *
+    (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x + (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x +
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if Rlt_dec (if Rlt_dec 0 (rounded ((Rabs (rounded
+    ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded
+    ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) *
+    x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else
+    3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0) (rounded ((Rabs (rounded ((raised_float64.power
+    (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded
+    ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) *
+    (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if Rlt_dec 0 (rounded ((Rabs (rounded
+    ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded
+    ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) *
+    x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else
+    3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0))) (rounded ((Rabs (rounded ((raised_float64.power
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded
+    ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) *
+    (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x + (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x +
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if Rlt_dec (if Rlt_dec (if Rlt_dec 0 (rounded ((Rabs
+    (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) *
+    x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded
+    ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0)
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if
+    Rlt_dec 0 (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0))
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x + (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x +
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if
+    Rlt_dec (if Rlt_dec 0 (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else 0)
+    (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y + (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else (if
+    Rlt_dec 0 (rounded ((Rabs (rounded ((raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) - (raised_float64.power x
+    y)))) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power (rounded (x - (rounded ((rounded ((rounded
+    ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313
+    / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x -
+    (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) *
+    (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312))))))))) + (if Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) then (1 / 2 ^ 1020) else 0))))) then (rounded ((Rabs (rounded ((raised_float64.power (rounded
+    (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496)
+    * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 /
+    562949953421312)))))) - (raised_float64.power x y)))) + (rounded ((rounded ((rounded ((if Rlt_dec
+    (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) (rounded (y - (rounded
+    ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) + (rounded ((1 / 4503599627370496) * (Rabs
+    y))))) * (562949953421313 / 562949953421312)))))) (1 / 2 ^ 72) then (6209337986237071 / 281474976710656) else 3) *
+    (1 / 9007199254740992))) * (Rabs (raised_float64.power (rounded (x - (rounded ((rounded ((rounded ((1048577 /
+    9444732965739290427392) * x_error)) + (rounded ((1 / 4503599627370496) * (Rabs x))))) * (562949953421313 /
+    562949953421312))))) (rounded (y - (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * y_error)) +
+    (rounded ((1 / 4503599627370496) * (Rabs y))))) * (562949953421313 / 562949953421312))))))))) + (if Rlt_dec 0
+    (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1 /
+    4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) else
+    0)))) else (real p_infty)) + (rounded ((rounded ((rounded ((if Rlt_dec (raised_float64.power x y) (1 / 2 ^ 72) then
+    (6209337986237071 / 281474976710656) else 3) * (1 / 9007199254740992))) * (Rabs (raised_float64.power x y)))) + (if
+    Rlt_dec 0 (rounded (x + (rounded ((rounded ((rounded ((1048577 / 9444732965739290427392) * x_error)) + (rounded ((1
+    / 4503599627370496) * (Rabs x))))) * (562949953421313 / 562949953421312))))) then (1 / 2 ^ 1020) else 0))))) *
+    (562949953421313 / 562949953421312)))).
+End program.
+Ltac lines := unfold raised_error, raised.
+End enclosed_power_float64.
+
 Module enclosed_selection_float64.
 Section program.
 Variables left left_error right right_error x x_error y y_error : R.

@@ -6,9 +6,6 @@ From Flocq Require Import Core.
 From Formal Require Import Camera Formulas Fields Clamped Float.
 Open Scope R_scope.
 
-Theorem elementary_functions__two_product__point : exists a b, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a
-  * b)).
-Proof. exists 0, 0. split; [|split]; try apply generic_format_0. left. ring. Qed.
 Theorem roundoff_bound__of_any_height__point : exists h h1 (L : R), derives_to h h1 /\ forall w, Rabs (h1 w) <= L.
 Proof. exists sin, cos, 1. split; intro w; [auto_derive; trivial; ring | apply Rabs_le, COS_bound]. Qed.
 Theorem clamped_difference__of_any_height__point : exists h h1 (v epsilon S : R), derives_to h h1 /\ 0 <= v < epsilon /\ v + epsilon <= 1 /\

@@ -16,13 +16,6 @@ Proof.
   pose proof Rle_0_sqr t as Q. rewrite Rabs_pos_eq by (left; apply Rinv_0_lt_compat; lra). rewrite <- Rinv_1. apply Rinv_le_contravar; lra.
 Qed.
 
-(* The polynomial of a small ratio is within 2^-57 of the arctangent in half-turns. *)
-Theorem elementary_functions__arctangent r : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI)
-  <= 1 / 2 ^ 57.
-Proof.
-  intro B. arctangent_polynomial.lines.
-  interval with (i_taylor r, i_degree 40, i_prec 120).
-Qed.
 (* Of a smaller one it is nearer, and it is relative to the ratio. *)
 Lemma arctangent_nearer r : -183/1000 <= r <= 183/1000 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 60.
 Proof. intro B. arctangent_polynomial.lines. interval with (i_taylor r, i_degree 30, i_prec 120). Qed.
@@ -262,17 +255,10 @@ Proof.
   rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra.
   rewrite !Rmult_0_l, !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
 Qed.
-Theorem elementary_functions__arctangent__point : exists r, - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30.
-Proof. exists 0. lra. Qed.
 Theorem elementary_functions__atan2pi__point : exists y x, float64 y /\ float64 x /\ bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
 Proof.
   exists 0, 1. split; [apply generic_format_0|]. split; [exact one_is_float64|].
   rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_l]. apply (bpow_le radix2 (-1018) 0). easy.
-Qed.
-(* Without the node that is taken off the polynomial is not so near, and where its quotient alone decides, the angle is not. *)
-Theorem elementary_functions__arctangent__false : ~ forall r, -1 <= r <= 1 -> Rabs (arctangent_polynomial.small_part r 0 - atan r / PI) <= 1 / 2 ^ 57.
-Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. arctangent_polynomial.lines. interval with (i_prec 120).
 Qed.
 Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs
   (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).

@@ -243,7 +243,7 @@ Proof.
   intros I A K E. light_term.lines. replace (_ - _) with (i * (a * kd * (Rmax 0 m - Rmax 0 n))) by ring. rewrite !Rabs_mult, !Rabs_pos_eq by lra.
   apply Rmult_le_compat_l; [lra|]. apply Rmult_le_compat_l; [apply Rmult_le_pos; lra|]. at_most_by clamp_is_lipschitz; exact E.
 Qed.
-Theorem colour_accuracy__composed nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : let m2 := (beta * gz + nz) * (beta * gz + nz) + (beta *
+Lemma composed_colour nx ny nz gx gy gz beta px py pz lx ly lz b i a kd ks p : let m2 := (beta * gz + nz) * (beta * gz + nz) + (beta *
   gx + nx) * (beta * gx + nx) + (beta * gy + ny) * (beta * gy + ny) in let d2 := (lz - pz) * (lz - pz) + (lx - px) * (lx - px) + (ly - py) * (ly -
   py) in let mu' := light_direction_float64.mu px py pz lx ly lz (perturbed_float64.bumped_x nx ny nz gx gy gz beta) (perturbed_float64.bumped_y
   nx ny nz gx gy gz beta) (perturbed_float64.bumped_z nx ny nz gx gy gz beta) in let mu := light_direction.mu px py pz lx ly lz
@@ -259,19 +259,4 @@ Proof.
     unfold mu', mu, light_direction_float64.mu, light_direction.mu. unfold unit53 in *. eapply Rle_trans; [sums | interval]. }
   split; [exact M|]. change clip_float64.clipped with clip.clipped. at_most_by difference_bound_clip. apply through with (light_term.lit_red b i
     a kd ks mu' p); [apply share_within; try assumption; apply Rmax_l | apply share_moves; assumption].
-Qed.
-Theorem colour_accuracy__composed__point : exists nx ny nz gx gy gz beta, 1 <= (beta * gz + nz) * (beta * gz + nz) + (beta * gx + nx) * (beta * gx
-  + nx) + (beta * gy + ny) * (beta * gy + ny) <= 2 ^ 900.
-Proof. exists 0, 0, 1, 0, 0, 0, 0. lra. Qed.
-(* It is not the cosine of another normal: a light above a level place is not grazing. *)
-Theorem colour_accuracy__composed__false : ~ forall lz, lz >= 1 ->
-  Rabs (light_direction_float64.mu 0 0 0 0 0 lz (perturbed_float64.bumped_x 0 0 1 0 0 0 0) (perturbed_float64.bumped_y 0 0 1 0 0 0 0)
-    (perturbed_float64.bumped_z 0 0 1 0 0 0 0)) <= 81 * unit53.
-Proof.
-  intro H. specialize (H 1 ltac:(lra)).
-  destruct (colour_accuracy__composed 0 0 1 0 0 0 0 0 0 0 0 0 1 0 0 0 0 0 0) as [M _]; try lra. revert M H. set (mu' :=
-    light_direction_float64.mu _ _ _ _ _ _ _ _ _).
-  light_direction.lines; perturbed.lines.
-  replace ((0 * 0 + 0) ^ 2 + (0 * 0 + 0) ^ 2 + (0 * 0 + 1) ^ 2) with 1 by ring. replace ((0 - 0) ^ 2 + (0 - 0) ^ 2 + (1 - 0) ^ 2) with 1 by ring.
-    rewrite sqrt_1, Rinv_1. intros M H. both_ways M. both_ways H. in_units.
 Qed.

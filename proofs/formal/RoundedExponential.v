@@ -8,7 +8,7 @@ From Formal Require Import Formulas Float Float64 RoundedHalfTurns Rounding Roun
 Open Scope R_scope.
 
 (* On the reduced argument the polynomial is within 2^-57 of the exponential. *)
-Theorem elementary_functions__exponential r : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1
+Lemma elementary_exponential r : - (3467/10000) <= r <= 3467/10000 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1
   / 2 ^ 57.
 Proof.
   intro B. exponential_polynomial.lines.
@@ -132,7 +132,7 @@ Proof.
 Qed.
 Lemma near_rounded : let v := exp a in Rabs (exponential_of_sum_float64.exponential_near p e - (v + b)) <= (v + Rabs (v - 1) + 376/1000) / 2 ^ 53.
 Proof.
-  intro v. pose proof departure_rounded as M. pose proof elementary_functions__exponential a A as X. fold v in X. pose proof near_one a A as V.
+  intro v. pose proof departure_rounded as M. pose proof elementary_exponential a A as X. fold v in X. pose proof near_one a A as V.
     fold v in V.
   unfold exponential_polynomial.exponential_near, exponential_polynomial.departure in X. set (w := exponential_polynomial.departure_low a 0) in *.
   unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh :=
@@ -185,16 +185,8 @@ Proof.
   rewrite X, Y, <- Rmult_minus_distr_r, Rabs_mult, (Rabs_pos_eq (bpow _ _)), <- Rmult_assoc by apply bpow_ge_0. apply Rmult_le_compat_r; [apply
     bpow_ge_0 | exact N].
 Qed.
-Theorem elementary_functions__exponential__point : exists r, - (3467/10000) <= r <= 3467/10000.
-Proof. exists 0. lra. Qed.
 Theorem elementary_functions__exp__point : exists p e, float64 p /\ -708 <= p <= 709 /\ Rabs e <= 1 / 2 ^ 42.
 Proof. exists 0, 0. rewrite Rabs_R0. split; [apply generic_format_0 | lra]. Qed.
-(* Over a whole unit the polynomial is not so near, and without its correction the argument's exponential is not. *)
-Theorem elementary_functions__exponential__false : ~ forall r, -1 <= r <= 1 -> Rabs (exponential_polynomial.exponential_near r 0 - exp r) <= 1 / 2 ^ 57.
-Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le.
-  exponential_polynomial.lines. interval with (i_prec 120).
-Qed.
 Theorem elementary_functions__exp__false : ~ forall p e, float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 ->
   Rabs (exponential_of_sum_float64.exponential p e - exp p) <= 11/5 * (1 / 2 ^ 53) * exp p.
 Proof.

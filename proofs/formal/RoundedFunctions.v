@@ -18,38 +18,19 @@ Lemma sine_of_float64 x : float64 x -> let s := half_turn_polynomials_float64.si
   cosine_of_half_turns_float64.cosine x 0 = cosine_in (quarters x) s c.
 Proof. intro F. rewrite <- (proj1 (remainder_of_float64 x F)). exact (sine_printed x 0 F). Qed.
 
-(* Sine and cosine of half-turns of any float64 are within 5/2 2^-53 of the sine and the cosine, *)
-Theorem elementary_functions__half_turns x : float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin (PI * x)) <= 5/2 * (1 / 2 ^ 53) /\ Rabs
-  (cosine_of_half_turns_float64.cosine x 0 - cos (PI * x)) <= 5/2 * (1 / 2 ^ 53).
-Proof.
-  intro F. set (q := quarters x). destruct (sine_of_float64 x F) as [-> ->]. pose proof proj2 (remainder_of_float64 x F) as B. fold q in B |- *. set (r
-    := x - IZR q / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
-  pose proof elementary_functions__cosine_float64 r N as C. assert (S : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 5/2 * (1 / 2
-    ^ 53)) by (generalize (elementary_functions__sine_float64 r N); lra).
-  replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->].
-  apply (in_each_quadrant (fun x y => Rabs (x - y) <= 5/2 * (1 / 2 ^ 53))); [exact S | exact C | intros; apply of_opposites; assumption].
-Qed.
-(* and at every whole number of quarters of a turn they are exact. *)
+(* Sine and cosine of half-turns of a float64 are exact at every whole number of quarters of a turn. *)
 Theorem elementary_functions__quarters x m : float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = sin (PI * x) /\
   cosine_of_half_turns_float64.cosine x 0 = cos (PI * x).
 Proof.
   intros F H. set (q := quarters x). assert (Q : q = m) by (unfold q, quarters; rewrite H; apply (Zrnd_IZR (Znearest (fun n => negb (Z.even n))))).
   assert (R : x - IZR q / 2 = 0) by (rewrite Q, <- H; field). destruct (sine_of_float64 x F) as [-> ->]. fold q. rewrite R. destruct
-    elementary_functions__zero_float64 as [-> ->].
+    elementary_zero_float64 as [-> ->].
   replace x with (0 + IZR q / 2) by lra. destruct (by_quadrant 0 q) as [-> ->]. rewrite Rmult_0_r, sin_0, cos_0. split; reflexivity.
 Qed.
 Lemma half_is_float64 : float64 (1/2).
 Proof. replace (1/2) with (IZR 1 * bpow radix2 (-1)) by (simpl; lra). apply whole_is_float64; easy. Qed.
-Theorem elementary_functions__half_turns__point : exists x, float64 x.
-Proof. exists 0. apply generic_format_0. Qed.
 Theorem elementary_functions__quarters__point : exists x m, float64 x /\ 2 * x = IZR m.
 Proof. exists (1/2), 1%Z. split; [apply half_is_float64 | lra]. Qed.
-(* They are not those of the number itself, and not each other. *)
-Theorem elementary_functions__half_turns__false : ~ forall x, float64 x -> Rabs (sine_of_half_turns_float64.sine x 0 - sin x) <= 5/2 * (1 / 2 ^ 53).
-Proof.
-  intro H. generalize (H _ half_is_float64) (proj1 (elementary_functions__half_turns _ half_is_float64)). intros X Y.
-  both_ways X. both_ways Y. assert (sin (1/2) < sin (PI * (1/2)) - 6 * (1 / 2 ^ 53)) by interval. lra.
-Qed.
 Theorem elementary_functions__quarters__false : ~ forall x m, float64 x -> 2 * x = IZR m -> sine_of_half_turns_float64.sine x 0 = cos (PI * x).
 Proof.
   intro H. destruct (elementary_functions__quarters 0 0 (generic_format_0 _ _) ltac:(lra)) as [S _]. specialize (H 0 0%Z (generic_format_0 _ _)

@@ -123,7 +123,7 @@ Let c := half_turn_polynomials_float64.cosine_near r.
 Lemma product_is_float64 : float64 p.
 Proof. apply rounded_is_float64. Qed.
 Lemma in_two : p + e = a * b.
-Proof. exact (elementary_functions__two_product a b A B U). Qed.
+Proof. exact (elementary_two_product a b A B U). Qed.
 Lemma error_is_small : Rabs e <= 1 / 2 ^ 31.
 Proof.
   replace e with (- (p - a * b)) by (rewrite <- in_two; ring). rewrite Rabs_Ropp. eapply Rle_trans; [exact (rounded_error _ _ L) | interval].
@@ -150,10 +150,10 @@ Qed.
 Lemma polynomials_near : Rabs (s - sin (PI * w)) <= 3289/1000 / 2 ^ 53 /\ Rabs (c - cos (PI * w)) <= 3289/1000 / 2 ^ 53.
 Proof.
   destruct remainder_error as [_ R]. split.
-  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__sine_float64 _ R) (turned sin cos is_derive_sin (fun x => Rabs_le _ _
+  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_sine_float64 _ R) (turned sin cos is_derive_sin (fun x => Rabs_le _ _
     (COS_bound x)))) | lra].
   - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
-    eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_functions__cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
+    eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
 Qed.
 Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine
   p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.

@@ -100,11 +100,11 @@ Proof.
     apply Rabs_le; lra.
 Qed.
 (* In float64 the cosine of a reduced argument is within 5/2 2^-53 of the cosine, *)
-Theorem elementary_functions__cosine_float64 : Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
-Proof. eapply Rle_trans; [exact (through _ _ _ _ _ cosine_rounded (elementary_functions__cosine r B)) | lra]. Qed.
+Lemma elementary_cosine_float64 : Rabs (half_turn_polynomials_float64.cosine_near r - cos (PI * r)) <= 5/2 * (1 / 2 ^ 53).
+Proof. eapply Rle_trans; [exact (through _ _ _ _ _ cosine_rounded (elementary_cosine r B)) | lra]. Qed.
 (* and the sine within 9/4 2^-53 of the sine, *)
-Theorem elementary_functions__sine_float64 : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
-Proof. eapply Rle_trans; [exact (through _ _ _ _ _ sine_rounded (elementary_functions__sine r B)) | lra]. Qed.
+Lemma elementary_sine_float64 : Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 9/4 * (1 / 2 ^ 53).
+Proof. eapply Rle_trans; [exact (through _ _ _ _ _ sine_rounded (elementary_sine r B)) | lra]. Qed.
 End polynomials.
 
 Lemma rounded_0 : rounded 0 = 0.
@@ -113,24 +113,9 @@ Lemma rounded_1 : rounded 1 = 1.
 Proof. apply round_generic; [typeclasses eauto|]. change 1 with (bpow radix2 0). apply generic_format_bpow. easy. Qed.
 
 (* and at a whole number of half-turns, where the reduced argument is 0, nothing is rounded: a crease's zero is exact. *)
-Theorem elementary_functions__zero_float64 : half_turn_polynomials_float64.sine_near 0 = 0 /\ half_turn_polynomials_float64.cosine_near 0 = 1.
+Lemma elementary_zero_float64 : half_turn_polynomials_float64.sine_near 0 = 0 /\ half_turn_polynomials_float64.cosine_near 0 = 1.
 Proof.
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials_float64.cosine_near, half_turn_polynomials_float64.z.
   rewrite !Rmult_0_l, !rounded_0, !Rmult_0_l, !rounded_0, Rplus_0_l. split; [reflexivity | exact rounded_1].
 Qed.
 
-(* They are not so near 1 and 0. *)
-Theorem elementary_functions__cosine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs
-  (half_turn_polynomials_float64.cosine_near r - 1) <= 5/2 * (1 / 2 ^ 53).
-Proof.
-  intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__cosine_float64 (1/4) ltac:(lra)). intros X Y. both_ways X. both_ways Y.
-  assert (cos (PI * (1/4)) < 1/1 - 6 * (1 / 2 ^ 53)) by interval. lra.
-Qed.
-Theorem elementary_functions__sine_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> Rabs (half_turn_polynomials_float64.sine_near
-  r) <= 9/4 * (1 / 2 ^ 53).
-Proof.
-  intro H. generalize (H (1/4) ltac:(lra)) (elementary_functions__sine_float64 (1/4) ltac:(lra)). intros X Y. both_ways X. both_ways Y.
-  assert (6 * (1 / 2 ^ 53) < sin (PI * (1/4))) by interval. lra.
-Qed.
-Theorem elementary_functions__zero_float64__false : ~ forall r, - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30 -> half_turn_polynomials_float64.sine_near r = 0.
-Proof. intro H. apply elementary_functions__sine_float64__false. intros r B. rewrite (H r B), Rabs_R0. interval. Qed.

@@ -11,17 +11,17 @@ Section reduced.
 Variable r : R.
 Hypothesis B : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 (* The sine's polynomial is off by at most 2^-53 of its argument: its derivative is by 2^-53. *)
-Theorem elementary_functions__sine_relative : Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
+Lemma elementary_sine_relative : Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^ 53 * Rabs r.
 Proof.
   evar (h : R -> R). apply (at_most_times (fun t => half_turn_polynomials.sine_near t - sin (PI * t)) h _ (1/4 + 1/2^30));
-    [rewrite (proj1 elementary_functions__zero), Rmult_0_r, sin_0; ring | intros t T; split | exact B].
+    [rewrite (proj1 elementary_zero), Rmult_0_r, sin_0; ring | intros t T; split | exact B].
   - half_turn_polynomials.lines. auto_derive; [exact I|]. unfold h. reflexivity.
   - unfold h. clear - T. interval with (i_taylor t, i_degree 20, i_prec 100).
 Qed.
 Lemma sine_near_relative : let s := Rabs (sin (PI * r)) in Rabs (half_turn_polynomials_float64.sine_near r - sin (PI * r)) <= 18/5 * (1 / 2 ^ 53) * s
   + bpow radix2 (-1074) /\ 279/100 * Rabs r <= s.
 Proof.
-  pose proof elementary_functions__sine_relative as X. destruct (factor_rounded r B) as [F P].
+  pose proof elementary_sine_relative as X. destruct (factor_rounded r B) as [F P].
   unfold half_turn_polynomials_float64.sine_near, half_turn_polynomials.sine_near in *. set (f := rounded (_ + _)) in *. set (w :=
     half_turn_polynomials.sine_tail r + _) in *.
   both_ways F. destruct (rounding (r * f)) as (d & t & D & T & _ & ->). both_ways D. set (s := sin (PI * r)) in *. pose proof Rabs_pos r as O.
@@ -42,18 +42,7 @@ Lemma opposites_near c x y : near_relative c x y -> near_relative c (- x) (- y).
 Proof. unfold near_relative. rewrite Rabs_Ropp. apply of_opposites. Qed.
 Lemma cosine_not_small t : - (1/4 + 1/2^30) <= t <= 1/4 + 1/2^30 -> 7071/10000 <= cos (PI * t).
 Proof. intro. interval. Qed.
-(* Those of a float64 are within 18/5 2^-53 of the sine and the cosine, relative to them, and 2^-1074, *)
-Theorem elementary_functions__half_turns_relative x : float64 x -> near_relative (18/5) (sine_of_half_turns_float64.sine x 0) (sin (PI * x)) /\
-  near_relative (18/5) (cosine_of_half_turns_float64.cosine x 0) (cos (PI * x)).
-Proof.
-  intro F. destruct (sine_of_float64 x F) as [-> ->]. pose proof proj2 (remainder_of_float64 x F) as B. set (q := quarters x) in *. set (r := x - IZR q
-    / 2) in *. assert (N : - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30) by lra.
-  replace x with (r + IZR q / 2) by (unfold r; ring). destruct (by_quadrant r q) as [-> ->]. apply in_each_quadrant; [apply sine_near_relative, N | |
-    apply opposites_near].
-  unfold near_relative. pose proof cosine_not_small r N as C. rewrite (Rabs_pos_eq (cos _)) by lra. generalize (elementary_functions__cosine_float64 r
-    N) (bpow_ge_0 radix2 (-1074)). lra.
-Qed.
-(* and those of a product that is carried in two within 19/4 2^-53. *)
+(* Sine and cosine of half-turns of a product that is carried in two are within 19/4 2^-53, relative to them. *)
 Theorem elementary_functions__of_product_relative a b : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) -> Rabs (a * b)
   <= 2 ^ 21 -> let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in near_relative (19/4)
   (sine_of_half_turns_float64.sine p e) (sin (PI * (a * b))) /\ near_relative (19/4) (cosine_of_half_turns_float64.cosine p e) (cos (PI * (a *
@@ -86,22 +75,10 @@ Qed.
 Theorem elementary_functions__of_product_relative__point : exists a b, float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b))
   /\ Rabs (a * b) <= 2 ^ 21.
 Proof. exists 0, 0. rewrite Rmult_0_l, Rabs_R0. repeat split; try apply generic_format_0; [left; reflexivity | lra]. Qed.
-(* Over a whole half-turn the polynomial is not so near; nor is the sine the cosine. *)
-Theorem elementary_functions__sine_relative__false : ~ forall r, -1 <= r <= 1 -> Rabs (half_turn_polynomials.sine_near r - sin (PI * r)) <= 1 / 2 ^
-  53 * Rabs r.
-Proof.
-  intro H. generalize (H 1 ltac:(lra)). apply Rlt_not_le. interval with (i_prec 120).
-Qed.
 Lemma not_near_both c x : c <= 5 -> near_relative c x 0 -> near_relative c x 1 -> False.
 Proof.
   unfold near_relative. rewrite Rabs_R0, Rabs_R1. intros C X Y. both_ways X. both_ways Y. generalize (bpow_le radix2 (-1074) (-2) ltac:(easy)). change
     (bpow radix2 (-2)) with (/ 4). lra.
-Qed.
-Theorem elementary_functions__half_turns_relative__false : ~ forall x, float64 x -> near_relative (18/5) (sine_of_half_turns_float64.sine x 0) (cos
-  (PI * x)).
-Proof.
-  intro H. assert (Z : float64 0) by apply generic_format_0. generalize (H 0 Z) (proj1 (elementary_functions__half_turns_relative 0 Z)). rewrite
-    Rmult_0_r, sin_0, cos_0. intros X Y. apply (not_near_both (18/5) _ ltac:(lra) Y X).
 Qed.
 Theorem elementary_functions__of_product_relative__false : ~ forall a b, float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b) ->
   Rabs (a * b) <= 2 ^ 21 ->

@@ -104,7 +104,7 @@ Proof. intros A B. destruct (rounded_sum a (- b) A (generic_format_opp _ _ _ B))
   exact E]. Qed.
 
 (* Dekker's product: the printed sum and its error are the product itself, where nothing underflows. *)
-Theorem elementary_functions__two_product a b : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
+Lemma elementary_two_product a b : float64 a -> float64 b -> a * b = 0 \/ bpow radix2 (-1074 + 2 * 53 - 1) <= Rabs (a * b) ->
   two_product_float64.product a b + two_product_float64.product_error a b = a * b.
 Proof.
   intros A B U. etransitivity;
@@ -139,14 +139,3 @@ Lemma whole_part_is_float64 part x : Valid_rnd part -> float64 x -> float64 (IZR
 Proof. intros V F. rewrite <- round_FIX_IZR. apply generic_round_generic; [typeclasses eauto..| exact F]. Qed.
 Lemma what_is_left_is_float64 x y : float64 x -> float64 y -> float64 (x - rint (x / y) * y).
 Proof. apply format_REM_N; typeclasses eauto. Qed.
-Theorem elementary_functions__two_product__false : ~ forall a b, float64 a -> float64 b -> two_product_float64.product a b +
-  two_product_float64.product_error a b = a * b.
-Proof.
-  intro H. assert (F : float64 (bpow radix2 (-1074))) by (apply generic_format_bpow; easy). generalize (H _ _ F F).
-  destruct (float64_is_whole (two_product_float64.product (bpow radix2 (-1074)) (bpow radix2 (-1074))) ltac:(apply rounded_is_float64)) as [m ->].
-  destruct (float64_is_whole (two_product_float64.product_error (bpow radix2 (-1074)) (bpow radix2 (-1074))) ltac:(apply rounded_is_float64)) as [n ->].
-  generalize (bpow_gt_0 radix2 (-1074)). intros B E. assert (S : bpow radix2 (-1074) < bpow radix2 0) by (apply bpow_lt; easy). change (bpow radix2 0)
-    with 1 in S.
-  set (b := bpow radix2 (-1074)) in *. assert (K : IZR (m + n) = b) by (rewrite plus_IZR; apply Rmult_eq_reg_r with b; lra).
-  assert (0 < m + n < 1)%Z by (split; apply lt_IZR; lra). lia.
-Qed.

@@ -903,6 +903,32 @@ Definition enclosing_rules__logarithm : Prop :=
   Rabs (enclosed_logarithm_float64.logarithm x - (ln x_exact)) <= slack * (1 + 1 / 2 ^ 49) *
       (enclosed_logarithm_float64.logarithm_error x x_error / 2 ^ 53).
 
+Definition enclosing_rules__power : Prop :=
+  forall slack x x_error x_exact y y_error y_exact : R,
+  1 <= slack ->
+  slack <= 1 + 3 / 2 ^ 22 ->
+  float64 x ->
+  float64 x_error ->
+  0 <= x_error ->
+  Rabs (x - x_exact) <= slack * (x_error / 2 ^ 53) ->
+  float64 y ->
+  float64 y_error ->
+  0 <= y_error ->
+  Rabs (y - y_exact) <= slack * (y_error / 2 ^ 53) ->
+  x >= 0 ->
+  x_exact >= 0 ->
+  y * (x + x_error / 4503599627370496 - 1) <= 32 ->
+  (10 ^ 285 * (Rabs (x + x_error)) >= 1 \/ x + x_error = 0) ->
+  1024 * y >= 1 ->
+  y <= 524288 ->
+  y_error <= 2251799813685248 * y ->
+  x_exact >= 0 /\
+  y_exact > 0 /\
+  float64 (enclosed_power_float64.raised_error x x_error y y_error) /\
+  0 <= enclosed_power_float64.raised_error x x_error y y_error /\
+  Rabs (enclosed_power_float64.raised x y - (power x_exact y_exact)) <= slack * (1 + 1 / 2 ^ 49) *
+      (enclosed_power_float64.raised_error x x_error y y_error / 2 ^ 53).
+
 Definition central_difference_of_sine__no_clamp : Prop :=
   forall epsilon v : R,
   let v_plus := Rmin 1 (epsilon + v) in

@@ -26,7 +26,7 @@ ROUNDINGS = {
     "small_power": Fraction("22.06"),
 }
 """{function: the relative error that the enclosing machine charges}, in the same units: more than that PROVED,
-or than half of it where a function rises or falls: that is charged twice. Theorem enclosing_rules, but for powers."""
+or than half of it where a function rises or falls: that is charged twice. Theorem enclosing_rules."""
 
 SMALL_POWER = Fraction(1, 2**72)
 """A power of exp(−50) or more is a `power`; what is below this, a little above exp(−50), may be a `small_power`."""

@@ -23,6 +23,7 @@ RULES = {
         ("enclosed_angle", "angle", atan2pi(y, x)),
         ("enclosed_exponential", "exponential", exp(x)),
         ("enclosed_logarithm", "logarithm", log(x)),
+        ("enclosed_power", "raised", x**y),
         ("enclosed_selection", "chosen", where(StrictLessThan(left, right), x, y)),
     )
 }

@@ -156,7 +156,7 @@ class Line(Term):
 
 
 NAMES = {function.kernel: function.coq_float64 for function in FUNCTIONS if function.coq_float64}
-NAMES |= {name: name for name in ("power_of_two", "binary_exponent", "height")}
+NAMES |= {name: name for name in ("power_of_two", "binary_exponent", "height")} | {"power": "raised_float64.power"}
 """{kernel: Coq's function}; each rounds as its definition says, and no more"""
 OF_PRODUCTS = "sinpi", "cospi", "exp"  # and of a product's rounding, which is 0 unless it is given
 
@@ -171,6 +171,7 @@ def _called(name):
 
 for name in NAMES:
     setattr(Term, name, _called(name))
+Decision.machine = Term  # type: ignore[attr-defined]  # a selection may have two literals
 
 CALLED: dict[str, Any] = {"pi": Line("rounded PI")}
 CALLED |= {name: getattr(Line, name) for name in (*NAMES, "two_product", "where")}

@@ -101,6 +101,8 @@ class StatementPrinter(CoqPrinter):
         return conditions
 
     def _needs_of_power(self, base, exponent):
+        if exponent.is_Symbol:
+            return [f"{self._print(base)} >= 0", f"{self._print(exponent)} > 0"]
         if not (exponent.is_Rational and (2 * exponent).is_Integer):
             raise ValueError(f"what {base} to the power {exponent} needs is not known")
         positive = base.is_number and base.is_positive

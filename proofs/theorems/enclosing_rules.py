@@ -12,6 +12,7 @@ def not_tiny(number: Expr) -> Basic:
     return Or(equation(number, 0), Abs(number) * Pow(10, 285) >= 1)
 
 
+_exponent = y * 2**10 >= 1, y <= 2**19, y_error <= 2**51 * y
 _in_two = *_few, Abs(x * y) <= Pow(2, 21), not_tiny(x * y)
 
 _rules = [
@@ -29,17 +30,21 @@ _rules = [
         "angle": x**2 + y**2 >= Pow(2, -10),
         "exponential": (x <= 704, x_error <= Pow(2, 55), not_tiny(x)),
         "logarithm": (x <= Pow(2, 1000), x_error <= Pow(2, 52) * x, x * Pow(10, 285) >= 1),
+        "power": (x >= 0, x_exact >= 0, y * (x + x_error / 2**52 - 1) <= 32, not_tiny(x + x_error), *_exponent),
     }.items()
 ]
 
 LIMITS = (
     "nothing overflows; of a product, sine, cosine, floor and nearest number the counts are at most $2^{60}$; "
-    "neither what a root is of nor what that stands for is negative",
+    "neither what a root or a power is of nor what that stands for is negative",
     r"the divisor of a quotient, at most $2^{960}$, is $2^{-59}$ further from 0 than $1 + 2^{-19}$ times its bound",
     r"of a sine and a cosine $|xy| \le 2^{21}$, of an exponential $x \le 704$ and a count of at most $2^{55}$; of "
     "these three what is not 0 is at least $10^{-285}$",
     r"of an angle $x^2 + y^2 \ge 2^{-10}$",
     r"of a logarithm $10^{-285} \le x \le 2^{1000}$ and a count of at most $2^{52} x$",
+    r"of a power $2^{-10} \le y \le 2^{19}$ and a count of at most $2^{51} y$; where $x$ has the count $n$, "
+    r"$y(x + n/2^{52} - 1) \le 32$, and $x + n$ is 0 or at least $10^{-285}$; a power of 0 is 0, and in float64 one "
+    r"below $2^{-1020}$ may be",
     "of a program all this of what its result needs: not of a side that a selection leaves out for certain",
     r"a literal has 53 bits, from $2^{-1074}$ on; below $2^{-1022}$ a rounding counts $2^{-1007}$; a count is made "
     r"a bound by $1048577/9444732965739290427392 = 2^{-53} + 2^{-73}$; $2^{10} = 1024$, $2^{19} = 524288$, $2^{53} = "
@@ -53,12 +58,13 @@ theorem = Theorem(
         r"""A number is within $n$ roundings, of $2^{-53}$ each, of what it stands for, and $n$ is counted in float64.
         By the machine's rules the float64 results of a sum $x + y$, product $xy$, quotient $x/y$, root $\sqrt x$, floor
         $\lfloor x \rfloor$, of the whole number nearest to $x$, of a sine $\sin\pi xy$, cosine $\cos\pi xy$, angle
-        $\operatorname{atan2}(y, x)/\pi$, exponential $e^x$, logarithm $\ln x$ and of a selection by $x < y$ are within
-        their counts of the exact results, if the counts before are. Each operation makes a count too small by $2^{-49}$
-        of it at most, and $2^{28}$ of them, one after the other, by less than $3\cdot2^{-22}$.""": _rules,
+        $\operatorname{atan2}(y, x)/\pi$, exponential $e^x$, logarithm $\ln x$, power $x^y$ and of a selection by
+        $x < y$ are within their counts of the exact results, if the counts before are. Each operation makes a count too
+        small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by less than
+        $3\cdot2^{-22}$.""": _rules,
         r"""So of every program of at most $2^{28}$ such operations, with selections by any condition: whatever float64
         computes is within the bound that the machine counts with it, and no divisor that this needs is 0.""": coq(
-            "enclosing_rules__whole_programs 3712e6ed4dc758d8"
+            "enclosing_rules__whole_programs 1916a0f7fdc8c7d4"
         ),
     },
     hypotheses=LIMITS,
@@ -66,6 +72,7 @@ theorem = Theorem(
     steps={
         "what is inherited": r"$|ab - a'b'| \le |a||b - b'| + |b'||a - a'|$, and its like",
         "an angle turns": r"by $\arctan|xy' - x'y|/(xx' + yy')$, over no cut",
+        "a power lies between its values at four ends": "the ends of what $x$ can be, with those of $y$",
         "a result's own rounding is at most one": r"of $2^{-53}$ of its size; below $2^{-1022}$, less than $2^{-1074}$",
         "the count's own roundings": r"at most eight factors $1 - 2^{-53}$",
     },

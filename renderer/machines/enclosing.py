@@ -13,7 +13,7 @@ chain of operations these shares add up. A pixel's longest chain has fewer than 
 that turns a count into a bound, exceeds 2⁻⁵³ by the share 2⁻²⁰ > 2²⁸ · 2⁻⁴⁹, wherever a bound is read, compared, or
 multiplied by another bound. The elementary functions read bounds, and each makes up for its own roundings by SLACK.
 Theorem enclosing_rules states this, and Coq proves it of sums, products, quotients, roots, floor, rint, selections,
-sinpi, cospi, atan2pi, exp and log as written here, not of `add_half_turns`; and so of every program of these.
+sinpi, cospi, atan2pi, exp, log and power as written here, not of `add_half_turns`; and so of every program of these.
 
 Underflow loses less than LEAST, as a count less than LEAST_COUNT. A bound that is NaN decides nothing.
 """
@@ -217,7 +217,7 @@ def _ends(number):
 def _rarely(mask, value, otherwise):
     """Return `value()` where a mask holds; it is not called for a group in which the mask holds nowhere."""
     machine = getattr(mask, "machine", None)
-    if machine is None:
+    if not hasattr(machine, "when"):
         return inner_where(mask, value(), otherwise)
     chosen = machine.variable(otherwise)
     machine.when(mask, lambda: chosen.set(value(), mask))
