@@ -89,5 +89,5 @@ def work_precision_frames(record: dict) -> Drawing:
 
 @figure(record="work_precision")
 def derivative_times(record: dict) -> Drawing:
-    """How many times as long as the picture its slopes take, and as they other ways do; numbers only."""
+    """Times of a picture and its slopes, and their ratios to a difference of pictures and to JAX; numbers only."""
     return Drawing(numbers=record["slopes"])
