@@ -9,6 +9,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterator
 from copy import copy
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -22,10 +23,12 @@ from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from renderer.scene.scene import BUMPS
+from verify.coq.recorded_pixel import ANY, COLUMNS, MODELS, PLACES, ROWS, WIDE
 from verify.evidence.records import command
 from verify.reference import COLORS, chamber_code, lines_of
 
 BITS = 256
+IN_RANGE = 20  # scenes of the range that Coq certifies, at each of its places
 EACH = 6  # pixels of a picture at random, and as many of each kind
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, *BUMPS, "exact", *METHODS)
 
@@ -153,6 +156,24 @@ def places(frame: Frame, random: np.random.Generator, each: int) -> list[tuple[i
     return list(zip(columns.tolist(), rows.tolist(), strict=True))
 
 
+def pixels_in_range(scenes: int) -> Iterator[Frame]:
+    """Yield frames of one pixel: at each place where Coq certifies a range of scenes, so many of them at random."""
+    random, default = np.random.default_rng(55), Scene()
+    each: list = [(default, exact(), pixel) for pixel in zip(COLUMNS, ROWS, strict=True)]
+    for field, (model, number) in product(PLACES, MODELS.items()):
+        squared = ANY.lights[number][1] == "squared"  # the recorded power is 16, of the highlight's square or of itself
+        scene = replace(default, field=field, model=model, shininess=32.0 if squared else 16.0)
+        each += [(scene, exact("general"), pixel) for pixel in PLACES[field]]
+    for (scene, method, pixel), _ in product(each, range(scenes)):
+        ka, kd, ks, tint, *rest = random.uniform(*WIDE["kd"], 4 + 5 * 3).tolist()
+        albedo_a, albedo_b, ambient, *colors = zip(*[iter(rest)] * 3, strict=True)
+        lights = tuple(replace(light, color=color) for light, color in zip(scene.lights, colors, strict=True))
+        beta = random.uniform(*WIDE["beta"])
+        colored = {"albedo_a": albedo_a, "albedo_b": albedo_b, "ambient": ambient, "floor_tint": tint, "lights": lights}
+        scene = replace(scene, ka=ka, kd=kd, ks=ks, beta=beta, **colored)
+        yield render(scene, 256, 256, method, (*pixel, 1, 1), bounds=True)
+
+
 def measure(pictures: int, first: int = 1000) -> dict:
     """Return a record's numbers: counts and shares over the pixels of so many random pictures.
 
@@ -175,7 +196,9 @@ def measure(pictures: int, first: int = 1000) -> dict:
     shares = {"largest_share": 1 / min(ratios.pop("largest"))}
     shares |= {f"open_share_{kind}": opened[kind] / total for kind, total in sorted(drawn.items())}
     medians = {f"median_ratio_{kind}": float(np.median(numbers)) for kind, numbers in sorted(ratios.items())}
-    return {"numbers": {"pictures": pictures} | counts | shares | medians}
+    in_range = [errors(frame, 0, 0)[0].max() for frame in pixels_in_range(IN_RANGE)]
+    ranges = {"range_pixels": len(in_range), "range_largest_error": float(np.max(in_range))}
+    return {"numbers": {"pictures": pictures} | counts | shares | medians | ranges}
 
 
 if __name__ == "__main__":

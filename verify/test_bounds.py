@@ -19,8 +19,8 @@ from renderer.machines.enclosing import Enclosed
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import Shot
-from verify.coq.recorded_pixel import COLUMNS, ROWS
-from verify.enclosed_pixels import BITS, KINDS, errors, measure, wrong
+from verify.coq.recorded_pixel import COLUMNS, ROWS, SLOPES, SLOPES_OFF, scene_ranges
+from verify.enclosed_pixels import BITS, KINDS, errors, measure, pixels_in_range, truth_of, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
@@ -55,7 +55,21 @@ def test_the_default_scene(scene):
 def test_the_ten_pixels_of_coq_are_in_ten_chambers_and_within_their_bound():
     frame = render(Scene(), 256, 256, bounds=True)
     assert len({*frame.chambers[ROWS, COLUMNS]}) == 10
-    assert frame.bounds[ROWS, COLUMNS].max() <= 21e-14
+    assert max(errors(frame, *place)[0].max() for place in zip(COLUMNS, ROWS, strict=True)) <= 18e-14
+
+
+def test_the_range_of_coq_holds_its_scenes():
+    """Their numbers and slopes lie in the ranges that are printed for Coq, and their colours within its bound."""
+    low, high, off = np.transpose(scene_ranges()[1])
+    for frame in pixels_in_range(1):
+        numbers = np.concatenate([*map(np.ravel, frame.shot.numbers)])
+        bounds = rounded_inputs.input_bounds(frame.shot, 256)["scene_bounds"]
+        inside = (low[: numbers.size] <= numbers) & (numbers <= high[: numbers.size]) | np.isinf(numbers)
+        assert {*np.flatnonzero(~inside)} <= {30, 31}  # powers of the algebraic form, which slopes do without
+        assert (bounds <= off[: bounds.size]).all()
+        assert errors(frame, 0, 0)[0].max() <= 1e-12
+        truth = truth_of(frame, 0, 0)
+        assert not any(abs(truth[name] - frame.surface_data[name].item()) > SLOPES_OFF for name in SLOPES)  # off A none
 
 
 def on_creases():

@@ -2,19 +2,19 @@
 
 import math
 import textwrap
-from itertools import chain, islice, product, repeat, zip_longest
+from itertools import product, zip_longest
 from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 
+from renderer import exact, render
 from renderer.kernels import FIELDS, LIGHT_MODELS
-from renderer.machines.forms import COLORS, of_form
-from renderer.operations import UNIT
+from renderer.machines.forms import COLORS, flat, of_form
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
 from renderer.scene.scene import BUMPS, MAX_LIGHTS, Scene
-from renderer.shader.numbers import LIGHT_FORM, SCENE_FORM, Shot, Want
+from renderer.shader.numbers import LIGHT_FORM, ROUNDED, SCENE_FORM, Shot, Want
 from renderer.shader.rounded_inputs import input_bounds
 from renderer.shader.shader import SLOPES, Group
 from verify.coq.recorder import Recorder
@@ -31,7 +31,11 @@ Inductive condition : Type := Lt (i j : nat) | Le (i j : nat) | Eq (i j : nat) |
   | And (c d : condition) | Or (c d : condition) | Invert (c : condition).
 Inductive operation : Type := Literal (m e : Z) | Infinite | Constant (m e : Z) | Neg | Abs | Add | Sub | Mul | Truediv
   | Product_error | Sqrt | Floor | Rint | Sinpi | Cospi | Atan2pi | Exp | Log | Power | Where (c : condition).
+(* The least that a number is, the most, and how far it may be off, each m 2^e. *)
+Definition number : Type := (Z * Z) * (Z * Z) * (Z * Z).
+Definition exactly (n : Z * Z) : number := (n, n, (0%Z, 0%Z)).
 """
+Range = tuple[float, float, float]
 PART = 50  # lines in one list: Coq's time to read one grows with its square
 ANY = Want(
     (*product(FIELDS, ("general", *DIFFERENCES)), ("sine", "stored")),
@@ -47,10 +51,18 @@ SHOT = Shot(Scene(), raster=Raster(256, 256))
 FAR = 2.0**1023  # stands for infinity
 COLUMNS, ROWS = [111, 202, 133, 152, 44, 218, 238, 59, 28, 222], [125, 37, 220, 83, 188, 82, 148, 216, 182, 169]
 """Ten pixels of it, each in a chamber of its own."""
-DEFAULT = SHOT.want
-WANTS = (ANY, ANY._replace(horizon=True), DEFAULT)
+PLACES = {"sine": [(140, 109), (204, 109)], "ridges": [(101, 102), (177, 92)], "rings": [(138, 155), (157, 58)]}
+"""{field: (column, row) of pixels on A}"""
+MODELS = {model: ANY.lights.index((model, "squared" if LIGHT_MODELS[model][1] else "base")) for model in LIGHT_MODELS}
+DEFAULT, BY_SLOPES = SHOT.want, ANY._replace(ways=(("sine", "stored"),), integer_power=True)
+WANTS = (ANY, ANY._replace(horizon=True), DEFAULT, BY_SLOPES)
 KNOWN = {name: getattr(SCENE_FORM, name) for name in ("power", "power_u", "power_v")}
 """The powers of the default scene, by squaring."""
+COLORED = "ka kd ks albedo_a albedo_b ambient_light ambient floor_light floor_dark light_color"
+WIDE = dict.fromkeys(COLORED.split(), (0.0, 1.0)) | {"beta": (0.3, 0.4)}
+"""{number: its least and largest value} of a range of scenes. The others are the default scene's."""
+AROUND = 2.0**-13  # how far a place may be from a pixel's centre, in the image
+SLOPES_OFF, PRODUCTS_OFF = 2.0**-44, 2.0**-51  # how far slopes and products of such numbers may be off
 
 
 class Pixel(Group):
@@ -73,7 +85,7 @@ def recorded() -> Recorder:
     scene, lights = inputs(SCENE_FORM), [inputs(LIGHT_FORM, "light_", number) for number in range(MAX_LIGHTS)]
     for number, want in product(range(MAX_LIGHTS + 1), WANTS):
         recorder.lights = lights[:number]
-        numbers = SimpleNamespace(**vars(scene) | (KNOWN if want is DEFAULT else {}))
+        numbers = SimpleNamespace(**vars(scene) | (KNOWN if want.integer_power else {}))
         Pixel(recorder, numbers, want, recorder).draw()
     return recorder
 
@@ -89,41 +101,73 @@ def recorded_source() -> str:
             lines.append(f"({_operation(kind, text)}, {_list(places)})")
     named |= {name: [*dict.fromkeys(places)] for name, places in recorder.outputs.items()}
     parts = [f"Definition {name} : list nat := {_list(places)}." for name, places in named.items()]
-    inputs, drawing = len(recorder.lines) - len(lines), len(WANTS) * len(Scene().lights) + WANTS.index(DEFAULT)
-    drawn = _list(recorder.outputs[name][drawing] for name in COLORS)
-    parts += [
-        f"Definition drawn : list nat := {drawn}.",
-        f"Definition inputs : nat := {inputs}.",
-        "Open Scope N_scope.",
-    ]
+    inputs = len(recorder.lines) - len(lines)
+    parts.append(f"Definition inputs : nat := {inputs}.")
+    for name, want in {"drawn": DEFAULT, "by_slopes": BY_SLOPES}.items():
+        drawing = len(WANTS) * len(Scene().lights) + WANTS.index(want)
+        parts.append(f"Definition {name} : list nat := {_list(recorder.outputs[c][drawing] for c in COLORS)}.")
+    parts.append("Open Scope N_scope.")
     firsts = range(0, len(lines), PART)
     for first in firsts:
         part = "; ".join(lines[first : first + PART])
         parts.append(f"Definition from_{first} : list (operation * list N) := [{part}].")
     parts.append(f"Definition lines := concat {_list(f'from_{first}' for first in firsts)}.")
     parts.append("Definition pixel := map (fun line => (fst line, map N.to_nat (snd line))) lines.")
-    (scene, points), kind = _numbers_of_points(inputs), "list ((Z * Z) * (Z * Z))"
-    parts += [
-        "Open Scope Z_scope.",
-        f"Definition scene : {kind} := {scene}.",
-        f"Definition points : list ({kind}) := {points}.",
-    ]
+    parts += ["Open Scope Z_scope.", *_boxes()]
     fill = textwrap.TextWrapper(120, break_on_hyphens=False).fill
     return HEADER + "\n".join(map(fill, parts)) + "\nEnd recorded_pixel.\n"
 
 
-def _numbers_of_points(inputs):
-    """Return the default scene's numbers, and each point's, with their counts."""
-    of, (x, y) = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
+def scene_ranges() -> tuple[list[Range], list[Range]]:
+    """Return the default scene's numbers as ranges, those of its lights among them; and those of WIDE.
+
+    A range is a number's least value, its largest, and how far it may be off.
+    """
     numbers = np.clip(np.concatenate([*map(np.ravel, SHOT.numbers)]), -FAR, FAR)
-    pairs = zip_longest([0.0, 0.0, *numbers], [0.0, 0.0, *of["scene_bounds"]], fillvalue=0.0)
-    scene = islice(chain(pairs, repeat((0.0, 0.0))), inputs - 2)
-    at = [[x[COLUMNS], of["x_bound"][COLUMNS]], [y[ROWS], of["y_bound"][ROWS]]]
-    return _counted(scene), _list(map(_counted, np.transpose(at, (2, 0, 1))))
+    bounds = input_bounds(SHOT, SHOT.raster.width)["scene_bounds"]
+    still = [(number, number, bound) for number, bound in zip_longest(numbers, bounds, fillvalue=0.0)]
+    still += [(0.0, 0.0, 0.0)] * np.size(flat(LIGHT_FORM)) * (MAX_LIGHTS - len(Scene().lights))
+    named = _named(SCENE_FORM) + [f"light_{name}" for name in _named(LIGHT_FORM)] * MAX_LIGHTS
+    wide = [
+        (*WIDE[name], PRODUCTS_OFF if name in ROUNDED else 0.0) if name in WIDE else each
+        for name, each in zip(named, still, strict=True)
+    ]
+    return still, wide
 
 
-def _counted(numbers):
-    return _list(f"({_dyadic(number)}, {_dyadic(bound / UNIT)})" for number, bound in numbers)
+def _named(form):
+    return [name for name, part in vars(form).items() for _ in range(np.size(part))]
+
+
+def _boxes():
+    """Yield the definitions of ten points of the default scene, and of ranges: each its outputs, and its inputs."""
+    of, at = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
+    (still, wide), level, ranges = scene_ranges(), [(0.0, 0.0, 0.0)] * 2, []
+
+    def place(pixel, around, slopes=level):
+        middles = [(x[n], of[f"{name}_bound"][n]) for name, x, n in zip("xy", at, pixel, strict=True)]
+        return _list(map(_range, (*((n - around, n + around, bound) for n, bound in middles), *slopes)))
+
+    default = [*zip(COLUMNS, ROWS, strict=True)]
+    ranges = [f"(drawn, {place(pixel, AROUND)} ++ wide 0)" for pixel in default]
+    for field, pixels in PLACES.items():
+        for pixel, model in product(pixels, MODELS.values()):
+            data = render(Scene(field=field), 256, 256, exact("general"), (*pixel, 1, 1)).surface_data
+            slopes = [(data[name].item(), data[name].item(), SLOPES_OFF) for name in SLOPES]
+            ranges.append(f"(by_slopes, {place(pixel, 0.0, slopes)} ++ wide {model})")
+    points = [f"(drawn, {place(pixel, 0.0)} ++ scene)" for pixel in default]
+    wide = [*map(_range, wide)]
+    wide[_named(SCENE_FORM).index("model")] = "exactly (model, 0)"
+    yield f"Definition scene : list number := {_list(map(_range, still))}."
+    yield f"Definition wide (model : Z) : list number := {_list(wide)}."
+    yield f"Definition points : list (list nat * list number) := {_list(points)}."
+    yield f"Definition ranges : list (list nat * list number) := {_list(ranges)}."
+
+
+def _range(ends):
+    low, high, off = map(_dyadic, ends)
+    same = low == high and not ends[2]
+    return f"exactly {low}" if same else f"({low}, {high}, {off})"
 
 
 def _dyadic(number):
