@@ -28,6 +28,7 @@ from verify.evidence.records import command
 from verify.reference import COLORS, chamber_code, lines_of
 
 BITS = 256
+RANGE_BOUND = 1e-12  # pixel_accuracy__computed
 IN_RANGE = 20  # scenes of the range that Coq certifies, at each of its places
 EACH = 6  # pixels of a picture at random, and as many of each kind
 KINDS = (*HEIGHT_FIELDS, *LIGHT_MODELS, *BUMPS, "exact", *METHODS)
@@ -196,8 +197,9 @@ def measure(pictures: int, first: int = 1000) -> dict:
     shares = {"largest_share": 1 / min(ratios.pop("largest"))}
     shares |= {f"open_share_{kind}": opened[kind] / total for kind, total in sorted(drawn.items())}
     medians = {f"median_ratio_{kind}": float(np.median(numbers)) for kind, numbers in sorted(ratios.items())}
-    in_range = [errors(frame, 0, 0)[0].max() for frame in pixels_in_range(IN_RANGE)]
-    ranges = {"range_pixels": len(in_range), "range_largest_error": float(np.max(in_range))}
+    in_range = [errors(frame, 0, 0)[0] for frame in pixels_in_range(IN_RANGE)]
+    largest = float(np.max(in_range))
+    ranges = {"range_colours": np.size(in_range), "range_largest_error": largest, "range_ratio": RANGE_BOUND / largest}
     return {"numbers": {"pictures": pictures} | counts | shares | medians | ranges}
 
 

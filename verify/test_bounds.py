@@ -20,7 +20,7 @@ from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import Shot
 from verify.coq.recorded_pixel import COLUMNS, ROWS, SLOPES, SLOPES_OFF, scene_ranges
-from verify.enclosed_pixels import BITS, KINDS, errors, measure, pixels_in_range, truth_of, wrong
+from verify.enclosed_pixels import BITS, KINDS, RANGE_BOUND, errors, measure, pixels_in_range, truth_of, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
 
@@ -67,7 +67,7 @@ def test_the_range_of_coq_holds_its_scenes():
         inside = (low[: numbers.size] <= numbers) & (numbers <= high[: numbers.size]) | np.isinf(numbers)
         assert {*np.flatnonzero(~inside)} <= {30, 31}  # powers of the algebraic form, which slopes do without
         assert (bounds <= off[: bounds.size]).all()
-        assert errors(frame, 0, 0)[0].max() <= 1e-12
+        assert errors(frame, 0, 0)[0].max() <= RANGE_BOUND
         truth = truth_of(frame, 0, 0)
         assert not any(abs(truth[name] - frame.surface_data[name].item()) > SLOPES_OFF for name in SLOPES)  # off A none
 

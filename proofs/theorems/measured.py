@@ -62,15 +62,21 @@ pixels = Theorem(
         is recorded from the shader, for every field and bump, both models and up to five lights.""": coq(
             "pixel_accuracy__recorded 1b664a13e7cd0305"
         ),
-        r"""Of ten pixels of the default scene, each in a chamber of its own, Coq computes the counts, too: every
-        channel is within $21\cdot10^{-14}$ of its exact value.""": coq("pixel_accuracy__ten_pixels 9e3cfb9bb9c6c3b8"),
+        r"""Coq itself finds how far a channel can be off, without the machine: at ten pixels of the default scene, each
+        in a chamber of its own, by at most $18\cdot10^{-14}$; and by at most $10^{-12}$ for every scene that differs from
+        it by its colours, by $k_a$, $k_d$ and $k_s$, all from 0 to 1, and by $\beta$ from $0.3$ to $0.4$, at these
+        pixels and at six of A by the slopes of *sine*, *ridges* and *rings*, by each model.""": coq(
+            "pixel_accuracy__computed 0000000000000000"
+        ),
     },
     hypotheses=(
         *LIMITS,
         "float64 numbers; all this of what the channel needs; whole powers are recorded as the default scene's: of "
         "others the bounds are measured",
         r"the scene's numbers are within their bounds, constants within half of their last digit; what is missed is "
-        r"$2^{1023}$ away; the ten pixels are of $256^2$",
+        r"$2^{1023}$ away",
+        r"the pixels are of $256^2$, the ten of the range up to $2^{-13}$ from their centres; slopes within $2^{-44}$, "
+        r"products of two colours within $2^{-51}$",
         "where a sine, an angle or an exponent is exact the machine counts less",
     ),
     expected="proved",

@@ -17,7 +17,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from datetime import date
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -37,14 +37,15 @@ PROVED = re.compile(r"(?:Theorem|Lemma) (\w+) : Statements\.(\w+)")
 REQUIRED = re.compile(r"^From Formal Require (?:Import )?([\w\s]+)\.", re.MULTILINE)
 LIBRARY = re.compile(r"^From (?!Formal\b)\w+ Require Import [\w\s]+\.", re.MULTILINE)
 COQC = ("coqc", "-w", "-ambiguous-paths", "-Q", ".", "Formal")
+WORKERS = 2
 PRINTED = tuple(Path(name).stem for name in PROJECT.printed if name.endswith(".v"))
 TRUSTED = PROJECT.trusted
 """{what printed files need and no library has: its hash}, which the book prints."""
 GIVEN = {*PRINTED, *TRUSTED}
 
 
-def layers(*wanted: str) -> list[dict[str, str]]:
-    """Return {name: text} of the files that Coq reads, each in a later layer than those that it requires.
+def in_order(*wanted: str) -> tuple[dict[str, str], dict[str, set[str]]]:
+    """Return {name: text} of the files that Coq reads, each after those that it requires, and {name: what it requires}.
 
     All, or those that are wanted and theirs. Raises NotAccepted where one requires what is not there, or itself, where
     one written by hand could change how a statement is read, where a printed or trusted one requires one written by
@@ -61,18 +62,14 @@ def layers(*wanted: str) -> list[dict[str, str]]:
         raise NotAccepted(f"names that are given twice: {', '.join(twice)}")
     if missing := set().union(*needs.values(), wanted) - needs.keys():
         raise NotAccepted(f"there is no {', '.join(sorted(missing))} in {FOLDER.name}/")
-    sorter, batches = TopologicalSorter(needs), []
     try:
-        sorter.prepare()
+        order = [*TopologicalSorter({name: sorted(needs[name]) for name in sorted(needs)}).static_order()]
     except CycleError as error:
         raise NotAccepted(f"files that require each other: {', '.join(error.args[1])}") from error
-    while ready := sorter.get_ready():
-        sorter.done(*ready)
-        batches.append(ready)
     reached = set(wanted or needs)
-    for name in (name for batch in reversed(batches) for name in batch):
+    for name in reversed(order):
         reached |= needs[name] if name in reached else set()
-    return [{name: texts[name] for name in sorted(reached.intersection(batch))} for batch in batches]
+    return {name: texts[name] for name in order if name in reached}, {name: needs[name] for name in reached}
 
 
 def _by_hand(texts):
@@ -94,7 +91,7 @@ def _readable(name, text, needs):
 def statements(*wanted: str) -> Statements:
     """Return what is said of each theorem, in the order of the files."""
     named: Statements = {}
-    for file, text in (item for layer in layers(*wanted) for item in layer.items()):
+    for file, text in in_order(*wanted)[0].items():
         matches = filter(None, map(PROVED.fullmatch, vernacular.sentences(text) if file not in PRINTED else ()))
         proved = {match[1]: match[2] for match in matches}
         for name, claim in proved.items():
@@ -152,6 +149,23 @@ def _asked(folder: Path, *command: str) -> str:
     return done.stdout
 
 
+def _compiled(folder, needs, pool, bar):
+    """Compile files, each as soon as those that it requires are compiled, and return what Coq printed of each."""
+    sorter, printed, ready, running = TopologicalSorter(needs), {}, [], {}
+    sorter.prepare()
+    while sorter.is_active():
+        ready += sorter.get_ready()
+        while ready and len(running) < WORKERS:
+            name = ready.pop(0)
+            running[pool.submit(_asked, folder, *COQC, f"{name}.v")] = name
+        for done in wait(running, return_when=FIRST_COMPLETED).done:
+            name = running.pop(done)
+            printed[name] = done.result()
+            sorter.done(name)
+            bar.update()
+    return printed
+
+
 def check_again(folder: Path, names: list[str]) -> None:
     """Let Coq's own checker read compiled files, each by itself; raises NotAccepted."""
     each = [part for name in names for part in ("-norec", f"Formal.{name}")]
@@ -167,8 +181,7 @@ def compile_files(*wanted: str, before: dict | None = None, again: bool = False,
     """
     from tqdm import tqdm
 
-    named, order = statements(*wanted), layers(*wanted)
-    texts = {name: text for layer in order for name, text in layer.items()}
+    named, (texts, needs) = statements(*wanted), in_order(*wanted)
     asked, by_hand = survey.groups(named, before or {}), _by_hand(texts)
     names = {name for text in by_hand.values() for name in vernacular.named(text)}
     required = [line for text in by_hand.values() for line in LIBRARY.findall(text)]
@@ -181,17 +194,15 @@ def compile_files(*wanted: str, before: dict | None = None, again: bool = False,
         folder = Path(name)
         for file, text in (texts | asks).items():
             (folder / f"{file}.v").write_text(text, encoding="utf-8")
-        with tqdm(total=len(texts) + len(asks), unit="file", disable=None) as bar, ThreadPoolExecutor(2) as pool:
-            for layer in (*order, asks):
-                printed = list(pool.map(lambda name: _asked(folder, *COQC, f"{name}.v"), layer))
-                bar.update(len(layer))
+        with tqdm(total=len(texts) + len(asks), unit="file", disable=None) as bar, ThreadPoolExecutor(WORKERS) as pool:
+            printed = _compiled(folder, needs | {name: {*texts} for name in asks}, pool, bar)
         if again:
             check_again(folder, [*texts])
         if steps:
             from verify.coq import goals  # not above: pages show them, and no grade rests on them
 
-            goals.write(folder, by_hand, COQC[1:])
-    return survey.read(named, definitions, asked, "".join(printed[1:]))
+            goals.write(folder, by_hand, COQC[1:], GIVEN.intersection(texts))
+    return survey.read(named, definitions, asked, "".join(printed[name] for name in [*asks][1:]))
 
 
 def printed_otherwise() -> list[str]:
@@ -210,7 +221,7 @@ def main() -> None:
     parser.add_argument("--coqchk", action="store_true", help="compile again, and let Coq's own checker read it, too")
     asked = parser.parse_args()
     PROJECT.require_writable()
-    if unknown := set(asked.file) - (names := set().union(*layers())):
+    if unknown := set(asked.file) - (names := in_order()[0].keys()):
         parser.error(f"file: {', '.join(sorted(unknown))} is not one of {', '.join(sorted(names))}")
     table = {} if asked.fresh or asked.file or asked.coqchk else record()
     if table:

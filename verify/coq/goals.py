@@ -17,6 +17,7 @@ RECORD = FOLDER / "goals.json.xz"
 SENTENCE = re.compile(r"^Chars (\d+) - (\d+) \[.*\] \S+ secs \(.*\)$", re.MULTILINE)
 MESSAGE = re.compile(r"<(infomsg|warning)>.*?</\1>\n?", re.DOTALL)
 IDENTITY = re.compile(r" \(ID \d+\)")
+WHOLE = "all files"
 LONGEST = 3000  # characters of goals that are kept: some show data of thousands of numbers
 
 Step = tuple[int, int, str]
@@ -34,8 +35,15 @@ def _kept(goals: str) -> str:
     return text if len(text) <= LONGEST else f"{text[:LONGEST]} …"
 
 
-def write(folder: Path, names: Iterable[str], options: tuple[str, ...]) -> None:
-    """Record the goals of files, in a folder where they are compiled, and write the record."""
+def write(folder: Path, names: Iterable[str], options: tuple[str, ...], given: Iterable[str] = ()) -> None:
+    """Record the goals of files, in a folder where they are compiled, unless the record is of these very texts.
+
+    given: other files that they require.
+    """
+    names = sorted(names)
+    whole = sha256(b"".join((folder / f"{name}.v").read_bytes() for name in (*names, *sorted(given)))).hexdigest()
+    if record().get(WHOLE, {}).get("sha256") == whole:
+        return
 
     def entry_of(name: str) -> dict:
         text = (folder / f"{name}.v").read_bytes()
@@ -43,9 +51,8 @@ def write(folder: Path, names: Iterable[str], options: tuple[str, ...]) -> None:
         done = subprocess.run(command, cwd=folder, input=text, capture_output=True, check=True)
         return {"sha256": sha256(text).hexdigest(), "steps": steps(done.stdout.decode())}
 
-    names = sorted(names)
     with ThreadPoolExecutor(2) as pool:
-        table = dict(zip(names, pool.map(entry_of, names), strict=True))
+        table = dict(zip(names, pool.map(entry_of, names), strict=True)) | {WHOLE: {"sha256": whole, "steps": []}}
     write_whole(RECORD, lzma.compress(json.dumps(table).encode(), preset=9))
 
 
