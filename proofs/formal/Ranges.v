@@ -32,9 +32,9 @@ Proof.
   destruct (Z.eq_dec m 0) as [->|M].
   - rewrite Z.shiftr_0_l, Z.shiftl_0_l, !F2R_0, rounded_0. unfold new_location, new_location_even, new_location_odd, to_nearest, cond_incr, round_N.
     destruct (Z.even (Z.shiftl 1 k)), Zeq_bool eqn:Z; try discriminate; apply F2R_0.
-  - symmetry. apply (round_any_correct radix2 (FLT_exp (-1074) 53) ZnearestE to_nearest inbetween_int_NE); [|left; symmetry; apply C, M].
-    rewrite !Z.shiftl_mul_pow2, Z.mul_1_l, Z.shiftr_div_pow2 by lia. rewrite (Z.mul_comm (m / 2 ^ k)), <- Z.mod_eq by (apply Z.pow_nonzero; lia).
-    apply (inbetween_float_new_location radix2); [exact L|]. constructor. reflexivity.
+  - symmetry. apply (round_any_correct radix2 (FLT_exp (-1074) 53) ZnearestE to_nearest inbetween_int_NE); [|left; symmetry; apply C, M]. rewrite
+    !Z.shiftl_mul_pow2, Z.mul_1_l, Z.shiftr_div_pow2 by lia. rewrite (Z.mul_comm (m / 2 ^ k)), <- Z.mod_eq by (apply Z.pow_nonzero; lia). apply
+    (inbetween_float_new_location radix2); [exact L|]. constructor. reflexivity.
 Qed.
 Lemma no_less_is x : F2R x <= F2R (no_less x).
 Proof.
@@ -78,8 +78,8 @@ Proof.
   pose proof Fdiv_correct (FLT_exp (-1074) 53) (Fabs x) (Fabs y) as D. rewrite !F2R_abs in D. destruct (Fdiv _ _ _) as [[m e] l].
   assert (Px : 0 < Rabs (F2R x)) by (apply Rabs_pos_lt; destruct (Fnum x <? 0)%Z; lra). pose proof Rabs_pos_lt _ Y as Py. destruct (D Px Py) as [C I].
   assert (G : 0 <= Rabs (F2R x) / Rabs (F2R y)) by (apply Rlt_le, Rdiv_lt_0_compat; assumption). pose proof located_is_rounded _ _ _ _ G I C as L.
-  destruct (Fnum y <? 0)%Z, (Fnum x <? 0)%Z; cbn [xorb]; try (destruct (Fnum y =? 0)%Z; [lra|]); rewrite ?F2R_opp, L, <- ?rounded_opp; f_equal;
-    unfold Rabs; repeat destruct Rcase_abs; try lra; field; lra.
+  destruct (Fnum y <? 0)%Z, (Fnum x <? 0)%Z; cbn [xorb]; try (destruct (Fnum y =? 0)%Z; [lra|]); rewrite ?F2R_opp, L, <- ?rounded_opp; f_equal; unfold
+    Rabs; repeat destruct Rcase_abs; try lra; field; lra.
 Qed.
 Lemma root_is x : F2R (root_near x) = rounded (sqrt (F2R x)).
 Proof.
@@ -94,8 +94,7 @@ Proof.
   assert (W : forall n k, (0 <= k)%Z -> F2R (Float radix2 n k) = IZR (n * 2 ^ k)) by (intros n k K; unfold F2R; cbn [Fnum Fexp]; rewrite mult_IZR, <-
     IZR_Zpower by exact K; reflexivity).
   destruct (Z.leb_spec 0 e) as [L|L]; rewrite W by lia; f_equal; [rewrite Zfloor_IZR; reflexivity|]. rewrite Z.mul_1_r, Z.shiftr_div_pow2 by lia.
-    rewrite <-
-    Zfloor_div by (apply Z.pow_nonzero; lia). f_equal. unfold F2R, Rdiv. cbn [Fnum Fexp]. f_equal.
+    rewrite <- Zfloor_div by (apply Z.pow_nonzero; lia). f_equal. unfold F2R, Rdiv. cbn [Fnum Fexp]. f_equal.
   transitivity (/ bpow radix2 (- e)); [rewrite <- IZR_Zpower by lia; reflexivity | rewrite <- bpow_opp, Z.opp_involutive; reflexivity].
 Qed.
 Lemma less_is x y : less x y = if Rlt_dec (F2R x) (F2R y) then true else false.
@@ -131,11 +130,9 @@ Lemma widened_lies l h e t x : F2R l <= rounded t <= F2R h -> Rabs (t - x) <= F2
 Proof.
   intros B D. split; [exact B|]. eapply Rle_trans; [|apply no_less_is]. unfold rounding_of. rewrite !F2R_plus, F2R_mult, two_to_is.
   pose proof own_rounding t as O. pose proof underflow_is_small as U. rewrite (inverse_power 200) in U. change (- Z.of_nat 200)%Z with (-200)%Z in U.
-    apply size_is in B. replace (F2R (Float radix2 9007199254740996 (-106))) with ((1 + 4 * unit53) * unit53) by (unfold F2R,
-    unit53; simpl; lra).
+    apply size_is in B. replace (F2R (Float radix2 9007199254740996 (-106))) with ((1 + 4 * unit53) * unit53) by (unfold F2R, unit53; simpl; lra).
   assert ((1 + 4 * unit53) * unit53 * Rabs (rounded t) <= (1 + 4 * unit53) * unit53 * F2R (size_of l h)) by (apply Rmult_le_compat_l; [unfold unit53;
-    lra
-    | exact B]).
+    lra | exact B]).
   replace (rounded t - x) with (rounded t - t + (t - x)) by ring. at_most_by Rabs_triang. lra.
 Qed.
 Lemma rounded_rises x y : x <= y -> rounded x <= rounded y.
@@ -143,11 +140,9 @@ Proof. apply round_le; [typeclasses eauto..]. Qed.
 Lemma rounded_once_lies l h e t x : F2R l <= t <= F2R h -> Rabs (t - x) <= F2R e -> lies (rounded_once l h e) (rounded t) x.
 Proof.
   intros B D. assert (E : F2R (near_dyadic l) <= rounded t <= F2R (near_dyadic h)) by (rewrite !near_is_rounded; split; apply rounded_rises; lra).
-    unfold rounded_once. rewrite less_is. destruct
-    Rlt_dec; [apply widened_lies; assumption|]. split; [exact E|].
+    unfold rounded_once. rewrite less_is. destruct Rlt_dec; [apply widened_lies; assumption|]. split; [exact E|].
   eapply Rle_trans; [|apply no_less_is]. assert (t = F2R l) by lra. subst t. rewrite F2R_plus, F2R_abs, F2R_minus, near_is_rounded. replace (rounded
-    (F2R l) -
-    x) with (F2R l - x + (rounded (F2R l) - F2R l)) by ring. at_most_by Rabs_triang. lra.
+    (F2R l) - x) with (F2R l - x + (rounded (F2R l) - F2R l)) by ring. at_most_by Rabs_triang. lra.
 Qed.
 
 Definition opposite (c : range) : range := let (l, h, e) := c in Range (Fopp h) (Fopp l) e.
@@ -184,8 +179,7 @@ Proof. destruct c as [l h e]. intros [B D]. unfold lies, opposite. rewrite !F2R_
 Lemma sum_lies c d v x w y : lies c v x -> lies d w y -> lies (sum_range c d) (rounded (v + w)) (x + y).
 Proof.
   destruct c as [l h e], d as [a b f]. intros [B D] [C F]. apply rounded_once_lies; rewrite !F2R_plus; [lra|]. replace (v + w - (x + y)) with (v - x
-    + (w -
-    y)) by ring. at_most_by Rabs_triang. lra.
+    + (w - y)) by ring. at_most_by Rabs_triang. lra.
 Qed.
 Lemma corner_under a b c d v w : a <= v <= b -> c <= w <= d -> exists p q, (p = a \/ p = b) /\ (q = c \/ q = d) /\ p * q <= v * w.
 Proof.
@@ -193,13 +187,11 @@ Proof.
   { destruct (Rle_lt_dec 0 w); [exists a | exists b]; split; try tauto; [apply Rmult_le_compat_r; lra | nra]. }
   destruct P as (p & P & L). exists p. destruct (Rle_lt_dec 0 p); [exists c | exists d]; repeat split; try tauto; (eapply Rle_trans; [|exact L]); nra.
 Qed.
-Lemma corners (g : R -> R) a b c d v w : (forall x y, x <= y -> g x <= g y) -> a <= v <= b -> c <= w <= d -> Rmin (Rmin (g (a * c)) (g (a * d)))
-  (Rmin (g (b *
-  c)) (g (b * d))) <= g (v * w) <= Rmax (Rmax (g (a * c)) (g (a * d))) (Rmax (g (b * c)) (g (b * d))).
+Lemma corners (g : R -> R) a b c d v w : (forall x y, x <= y -> g x <= g y) -> a <= v <= b -> c <= w <= d -> Rmin (Rmin (g (a * c)) (g (a * d))) (Rmin
+  (g (b * c)) (g (b * d))) <= g (v * w) <= Rmax (Rmax (g (a * c)) (g (a * d))) (Rmax (g (b * c)) (g (b * d))).
 Proof.
-  intros M V W. destruct (corner_under a b c d v w V W) as (p & q & P & Q & L). destruct (corner_under (- b) (- a) c d (- v) w ltac:(lra) W) as (r &
-    s & T &
-    S & U).
+  intros M V W. destruct (corner_under a b c d v w V W) as (p & q & P & Q & L). destruct (corner_under (- b) (- a) c d (- v) w ltac:(lra) W) as (r & s
+    & T & S & U).
   assert (U' : v * w <= - r * s) by lra. apply M in L, U'. split.
   - eapply Rle_trans; [|exact L]. clear - P Q. destruct P as [-> | ->], Q as [-> | ->]; unfold Rmin; repeat destruct Rle_dec; lra.
   - eapply Rle_trans; [exact U'|]. clear - T S. destruct T as [-> | ->], S as [-> | ->]; rewrite Ropp_involutive; unfold Rmax; repeat destruct
@@ -211,9 +203,8 @@ Proof.
   destruct c as [l h e], d as [a b f]. intros [B D] [C F]. apply rounded_once_lies.
   - at_corners. rewrite !F2R_mult. exact (corners (fun x => x) _ _ _ _ v w (fun x y L => L) B C).
   - apply size_is in B, C. rewrite F2R_plus, !F2R_mult, F2R_plus. replace (v * w - x * y) with (v * (w - y) + y * (v - x)) by ring. at_most_by
-    Rabs_triang.
-    rewrite !Rabs_mult. assert (Rabs y <= F2R (size_of a b) + F2R f) by (generalize (Rabs_triang_inv y w); rewrite (Rabs_minus_sym y w); lra). apply
-    Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; assumption.
+    Rabs_triang. rewrite !Rabs_mult. assert (Rabs y <= F2R (size_of a b) + F2R f) by (generalize (Rabs_triang_inv y w); rewrite (Rabs_minus_sym y w);
+    lra). apply Rplus_le_compat; apply Rmult_le_compat; try apply Rabs_pos; assumption.
 Qed.
 Lemma inverse_between a b : 0 < a * b -> a <= b -> / b <= / a.
 Proof. intros P L. apply Rmult_le_reg_r with (a * b); [exact P|]. replace (/ b * (a * b)) with a by (field; nra). replace (/ a * (a * b)) with b by
@@ -222,26 +213,20 @@ Proof. intros P L. apply Rmult_le_reg_r with (a * b); [exact P|]. replace (/ b *
 Lemma quotient_lies c d v x w y r : lies c v x -> lies d w y -> quotient_range c d = Some r -> y <> 0 /\ lies r (rounded (v / w)) (x / y).
 Proof.
   destruct c as [l h e], d as [a b f]. intros [B D] [C F]. unfold quotient_range. set (n := Fminus _ f). set (off := guessed _). destruct (_ &&
-    _)%bool
-    eqn:G; [|discriminate]. intros [= <-].
+    _)%bool eqn:G; [|discriminate]. intros [= <-].
   rewrite !andb_true_iff in G. destruct G as [[S N] M]. apply is_less in S, N. apply is_no_more in M. rewrite zero_is in S, N. rewrite F2R_plus,
-    !F2R_mult
-    in *. assert (Nw : F2R n + F2R f <= Rabs w) by (unfold n; rewrite F2R_minus; assert (0 < F2R a \/ F2R b < 0) by nra; ends).
+    !F2R_mult in *. assert (Nw : F2R n + F2R f <= Rabs w) by (unfold n; rewrite F2R_minus; assert (0 < F2R a \/ F2R b < 0) by nra; ends).
   assert (Ny : F2R n <= Rabs y) by (generalize (Rabs_triang_inv w y); lra). pose proof Rabs_pos (w - y). assert (W : w <> 0) by (intros ->; rewrite
-    Rabs_R0
-    in Nw; lra). assert (Y : y <> 0) by (intros ->; rewrite Rabs_R0 in Ny; lra). split; [exact Y|].
+    Rabs_R0 in Nw; lra). assert (Y : y <> 0) by (intros ->; rewrite Rabs_R0 in Ny; lra). split; [exact Y|].
   assert (Aw : 0 < Rabs w) by (apply Rabs_pos_lt, W). assert (Ay : 0 < Rabs y) by (apply Rabs_pos_lt, Y). apply widened_lies.
   - at_corners. assert (P : F2R a <> 0 /\ F2R b <> 0) by nra. rewrite !quotient_is by apply P. unfold Rdiv. apply size_is in B as B'. clear - B C S W.
     assert (T : 0 < F2R a * w /\ 0 < w * F2R b) by nra. pose proof corners rounded (F2R l) (F2R h) (/ F2R b) (/ F2R a) v (/ w) rounded_rises B (conj
     (inverse_between _ _ (proj2 T) (proj2 C)) (inverse_between _ _ (proj1 T) (proj1 C))) as K. rewrite (Rmin_comm (rounded (F2R l * / F2R b))),
-      (Rmin_comm
-    (rounded (F2R h * / F2R b))), (Rmax_comm (rounded (F2R l * / F2R b))), (Rmax_comm (rounded (F2R h * / F2R b))) in K. exact K.
+    (Rmin_comm (rounded (F2R h * / F2R b))), (Rmax_comm (rounded (F2R l * / F2R b))), (Rmax_comm (rounded (F2R h * / F2R b))) in K. exact K.
   - apply size_is in B. replace (v / w - x / y) with ((v - x) * / y + v * (y - w) * (/ w * / y)) by (field; split; assumption). at_most_by
-    Rabs_triang.
-    rewrite !Rabs_mult, !Rabs_inv, (Rabs_minus_sym y w). set (s := F2R (size_of l h)) in *.
-    assert (I : / Rabs y <= / F2R n /\ / Rabs w <= / F2R n) by (split; apply Rinv_le_contravar; lra).
-    assert (0 < / Rabs y /\ 0 < / Rabs w) by (split; apply Rinv_0_lt_compat; assumption).
-    apply Rle_trans with (F2R e * / F2R n + s * F2R f * (/ F2R n * / F2R n)).
+    Rabs_triang. rewrite !Rabs_mult, !Rabs_inv, (Rabs_minus_sym y w). set (s := F2R (size_of l h)) in *. assert (I : / Rabs y <= / F2R n /\ / Rabs w
+    <= / F2R n) by (split; apply Rinv_le_contravar; lra). assert (0 < / Rabs y /\ 0 < / Rabs w) by (split; apply Rinv_0_lt_compat; assumption). apply
+    Rle_trans with (F2R e * / F2R n + s * F2R f * (/ F2R n * / F2R n)).
     + pose proof Rabs_pos (v - x). pose proof Rabs_pos v. apply Rplus_le_compat; repeat (apply Rmult_le_compat); try lra; repeat apply Rmult_le_pos;
       lra.
     + apply Rmult_le_reg_r with (F2R n * F2R n); [nra|]. replace (_ * (F2R n * F2R n)) with (F2R n * F2R e + s * F2R f) by (field; lra). exact M.
@@ -254,27 +239,19 @@ Proof.
     widened_lies.
   - rewrite !root_is. split; apply rounded_rises, sqrt_le_1_alt; lra.
   - assert (E : sqrt x = sqrt (Rmax 0 x) /\ Rabs (v - Rmax 0 x) <= F2R e) by (unfold Rmax; destruct Rle_dec; split; try reflexivity; [exact D |
-    rewrite
-      sqrt_0; apply sqrt_neg; lra | revert D; unfold Rabs; repeat destruct Rcase_abs; lra]).
-    destruct E as [-> E]. destruct (root_moved v (Rmax 0 x) ltac:(lra) (Rmax_l 0 x)) as [M1 M2]. destruct G as [G | [[S Q] G]]; apply is_no_more in G;
-      rewrite F2R_mult in G.
+    rewrite sqrt_0; apply sqrt_neg; lra | revert D; unfold Rabs; repeat destruct Rcase_abs; lra]). destruct E as [-> E]. destruct (root_moved v (Rmax
+    0 x) ltac:(lra) (Rmax_l 0 x)) as [M1 M2]. destruct G as [G | [[S Q] G]]; apply is_no_more in G; rewrite F2R_mult in G.
     + eapply Rle_trans; [exact M2|]. rewrite <- (sqrt_square (F2R off)) by exact P. apply sqrt_le_1_alt. lra.
-    + apply is_less in S. apply is_no_more in Q. rewrite F2R_mult in Q. rewrite zero_is in S. assert (T : F2R s <= sqrt v) by (rewrite <-
-      (sqrt_square (F2R
-        s)) by lra; apply sqrt_le_1_alt; lra).
-      pose proof Rabs_pos (sqrt v - sqrt (Rmax 0 x)). apply Rmult_le_reg_r with (F2R s); [exact S|]. eapply Rle_trans; [|exact G]. eapply Rle_trans;
-        [|exact E].
-      eapply Rle_trans; [|exact M1]. apply Rmult_le_compat_l; assumption.
+    + apply is_less in S. apply is_no_more in Q. rewrite F2R_mult in Q. rewrite zero_is in S. assert (T : F2R s <= sqrt v) by (rewrite <- (sqrt_square
+      (F2R s)) by lra; apply sqrt_le_1_alt; lra). pose proof Rabs_pos (sqrt v - sqrt (Rmax 0 x)). apply Rmult_le_reg_r with (F2R s); [exact S|].
+      eapply Rle_trans; [|exact G]. eapply Rle_trans; [|exact E]. eapply Rle_trans; [|exact M1]. apply Rmult_le_compat_l; assumption.
 Qed.
 Lemma floor_lies c v x r : lies c v x -> floor_range c = Some r -> lies r (whole_below v) (whole_below x).
 Proof.
   destruct c as [l h e]. intros [B D]. unfold floor_range. destruct (_ && _)%bool eqn:G; [|discriminate]. intros [= <-]. apply andb_prop in G.
-    destruct G as
-    [L H]. apply is_no_more in L. apply is_less in H.
+    destruct G as [L H]. apply is_no_more in L. apply is_less in H.
   rewrite !F2R_plus, F2R_minus, under_is, two_to_is in *. cbn [bpow] in H. pose proof Rabs_pos (v - x). apply Rabs_le_inv in D. assert (N : forall t,
-    F2R l - F2R e <= t <=
-    F2R h + F2R e -> whole_below t = F2R (whole_under l)) by (intros t T; rewrite under_is; unfold whole_below in *; f_equal; apply Zfloor_imp;
-      rewrite plus_IZR;
-    lra).
+    F2R l - F2R e <= t <= F2R h + F2R e -> whole_below t = F2R (whole_under l)) by (intros t T; rewrite under_is; unfold whole_below in *; f_equal;
+    apply Zfloor_imp; rewrite plus_IZR; lra).
   rewrite !N by lra. apply point_lies.
 Qed.
