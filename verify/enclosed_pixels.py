@@ -23,7 +23,7 @@ from renderer import Light, Scene, exact, render
 from renderer.picture.frame import Frame
 from renderer.scene.methods import GradientMethod
 from renderer.scene.scene import BUMPS
-from verify.coq.recorded_pixel import ANY, COLUMNS, MODELS, PLACES, ROWS, WIDE
+from verify.coq.recorded_pixel import ANY, MODELS, MOVED, PLACES, SPREAD, WIDE
 from verify.evidence.records import command
 from verify.reference import COLORS, chamber_code, lines_of
 
@@ -160,7 +160,7 @@ def places(frame: Frame, random: np.random.Generator, each: int) -> list[tuple[i
 def pixels_in_range(scenes: int) -> Iterator[Frame]:
     """Yield frames of one pixel: at each place where Coq certifies a range of scenes, so many of them at random."""
     random, default = np.random.default_rng(55), Scene()
-    each: list = [(default, exact(), pixel) for pixel in zip(COLUMNS, ROWS, strict=True)]
+    each: list = [(default, exact(), pixel) for pixel in SPREAD]
     for field, (model, number) in product(PLACES, MODELS.items()):
         squared = ANY.lights[number][1] == "squared"  # the recorded power is 16, of the highlight's square or of itself
         scene = replace(default, field=field, model=model, shininess=32.0 if squared else 16.0)
@@ -168,7 +168,8 @@ def pixels_in_range(scenes: int) -> Iterator[Frame]:
     for (scene, method, pixel), _ in product(each, range(scenes)):
         ka, kd, ks, tint, *rest = random.uniform(*WIDE["kd"], 4 + 5 * 3).tolist()
         albedo_a, albedo_b, ambient, *colors = zip(*[iter(rest)] * 3, strict=True)
-        lights = tuple(replace(light, color=color) for light, color in zip(scene.lights, colors, strict=True))
+        moved = [np.add(random.uniform(-1, 1, 3) * MOVED["light_position"], light.position) for light in scene.lights]
+        lights = tuple(map(Light, map(tuple, moved), colors))
         beta = random.uniform(*WIDE["beta"])
         colored = {"albedo_a": albedo_a, "albedo_b": albedo_b, "ambient": ambient, "floor_tint": tint, "lights": lights}
         scene = replace(scene, ka=ka, kd=kd, ks=ks, beta=beta, **colored)

@@ -19,7 +19,7 @@ from renderer.machines.enclosing import Enclosed
 from renderer.scene.raster import Raster
 from renderer.shader import rounded_inputs
 from renderer.shader.numbers import Shot
-from verify.coq.recorded_pixel import COLUMNS, ROWS, SLOPES, SLOPES_OFF, scene_ranges
+from verify.coq.recorded_pixel import COLUMNS, ROWS, SLOPES, SLOPES_OFF, SPREAD, scene_ranges
 from verify.enclosed_pixels import BITS, KINDS, RANGE_BOUND, errors, measure, pixels_in_range, truth_of, wrong
 from verify.evaluate.arrays import distance, in_balls
 from verify.evaluate.balls import BALLS
@@ -54,7 +54,8 @@ def test_the_default_scene(scene):
 
 def test_the_ten_pixels_of_coq_are_in_ten_chambers_and_within_their_bound():
     frame = render(Scene(), 256, 256, bounds=True)
-    assert len({*frame.chambers[ROWS, COLUMNS]}) == 10
+    assert {*frame.chambers[ROWS, COLUMNS]} == {frame.chambers[row, column] for column, row in SPREAD}
+    assert len({*frame.chambers[ROWS, COLUMNS]}) == len(SPREAD) == 10
     assert max(errors(frame, *place)[0].max() for place in zip(COLUMNS, ROWS, strict=True)) <= 18e-14
 
 

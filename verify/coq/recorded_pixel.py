@@ -14,7 +14,7 @@ from renderer.machines.forms import COLORS, flat, of_form
 from renderer.scene.methods import DIFFERENCES
 from renderer.scene.raster import Raster
 from renderer.scene.scene import BUMPS, MAX_LIGHTS, Scene
-from renderer.shader.numbers import LIGHT_FORM, ROUNDED, SCENE_FORM, Shot, Want
+from renderer.shader.numbers import LIGHT_FORM, ROUNDED, SCENE_FORM, SHADOWS, Shot, Want
 from renderer.shader.rounded_inputs import input_bounds
 from renderer.shader.shader import SLOPES, Group
 from verify.coq.recorder import Recorder
@@ -51,6 +51,8 @@ SHOT = Shot(Scene(), raster=Raster(256, 256))
 FAR = 2.0**1023  # stands for infinity
 COLUMNS, ROWS = [111, 202, 133, 152, 44, 218, 238, 59, 28, 222], [125, 37, 220, 83, 188, 82, 148, 216, 182, 169]
 """Ten pixels of it, each in a chamber of its own."""
+SPREAD = (204, 117), (195, 26), (3, 46), (158, 98), (21, 93), (215, 80), (234, 109), (29, 44), (22, 115), (238, 80)
+"""(column, row) of a pixel in each of these chambers, further from its edges."""
 PLACES = {"sine": [(140, 109), (204, 109)], "ridges": [(101, 102), (177, 92)], "rings": [(138, 155), (157, 58)]}
 """{field: (column, row) of pixels on A}"""
 MODELS = {model: ANY.lights.index((model, "squared" if LIGHT_MODELS[model][1] else "base")) for model in LIGHT_MODELS}
@@ -61,7 +63,9 @@ KNOWN = {name: getattr(SCENE_FORM, name) for name in ("power", "power_u", "power
 COLORED = "ka kd ks albedo_a albedo_b ambient_light ambient floor_light floor_dark light_color"
 WIDE = dict.fromkeys(COLORED.split(), (0.0, 1.0)) | {"beta": (0.3, 0.4)}
 """{number: its least and largest value} of a range of scenes. The others are the default scene's."""
-AROUND = 2.0**-13  # how far a place may be from a pixel's centre, in the image
+MOVED = {"light_position": 2.0**-5} | {f"light_{name}": 2.0**-4 for name in SHADOWS}
+"""{number: how far from the default scene's it may be}, each coordinate."""
+AROUND = 2.0**-11  # how far a place may be from a pixel's centre, in the image
 SLOPES_OFF, PRODUCTS_OFF = 2.0**-44, 2.0**-51  # how far slopes and products of such numbers may be off
 
 
@@ -128,10 +132,10 @@ def scene_ranges() -> tuple[list[Range], list[Range]]:
     still = [(number, number, bound) for number, bound in zip_longest(numbers, bounds, fillvalue=0.0)]
     still += [(0.0, 0.0, 0.0)] * np.size(flat(LIGHT_FORM)) * (MAX_LIGHTS - len(Scene().lights))
     named = _named(SCENE_FORM) + [f"light_{name}" for name in _named(LIGHT_FORM)] * MAX_LIGHTS
-    wide = [
-        (*WIDE[name], PRODUCTS_OFF if name in ROUNDED else 0.0) if name in WIDE else each
-        for name, each in zip(named, still, strict=True)
-    ]
+    wide = []
+    for name, (number, _, bound) in zip(named, still, strict=True):
+        moved, off = MOVED.get(name, 0.0), PRODUCTS_OFF if name in WIDE and name in ROUNDED else bound
+        wide.append((*WIDE.get(name, (number - moved, number + moved)), off))
     return still, wide
 
 
@@ -142,20 +146,19 @@ def _named(form):
 def _boxes():
     """Yield the definitions of ten points of the default scene, and of ranges: each its outputs, and its inputs."""
     of, at = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
-    (still, wide), level, ranges = scene_ranges(), [(0.0, 0.0, 0.0)] * 2, []
+    (still, wide), level = scene_ranges(), [(0.0, 0.0, 0.0)] * 2
 
     def place(pixel, around, slopes=level):
         middles = [(x[n], of[f"{name}_bound"][n]) for name, x, n in zip("xy", at, pixel, strict=True)]
         return _list(map(_range, (*((n - around, n + around, bound) for n, bound in middles), *slopes)))
 
-    default = [*zip(COLUMNS, ROWS, strict=True)]
-    ranges = [f"(drawn, {place(pixel, AROUND)} ++ wide 0)" for pixel in default]
+    ranges = [f"(drawn, {place(pixel, AROUND)} ++ wide 0)" for pixel in SPREAD]
     for field, pixels in PLACES.items():
         for pixel, model in product(pixels, MODELS.values()):
             data = render(Scene(field=field), 256, 256, exact("general"), (*pixel, 1, 1)).surface_data
             slopes = [(data[name].item(), data[name].item(), SLOPES_OFF) for name in SLOPES]
             ranges.append(f"(by_slopes, {place(pixel, 0.0, slopes)} ++ wide {model})")
-    points = [f"(drawn, {place(pixel, 0.0)} ++ scene)" for pixel in default]
+    points = [f"(drawn, {place(pixel, 0.0)} ++ scene)" for pixel in zip(COLUMNS, ROWS, strict=True)]
     wide = [*map(_range, wide)]
     wide[_named(SCENE_FORM).index("model")] = "exactly (model, 0)"
     yield f"Definition scene : list number := {_list(map(_range, still))}."
