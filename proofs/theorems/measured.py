@@ -66,9 +66,7 @@ pixels = Theorem(
         in a chamber of its own, by at most $18\cdot10^{-14}$; and by at most $10^{-12}$ over a range of scenes, at ten
         pixels of these chambers and, by the slopes of *sine*, *ridges* and *rings* and by each model, at six of A.
         In it all colours, $k_a$, $k_d$ and $k_s$ are anything from 0 to 1, $\beta$ from $0.3$ to $0.4$, and a light's
-        coordinates up to $2^{-5}$ from the default scene's.""": coq(
-            "pixel_accuracy__computed 0000000000000000"
-        ),
+        coordinates up to $2^{-5}$ from the default scene's.""": coq("pixel_accuracy__computed 0000000000000000"),
     },
     hypotheses=(
         *LIMITS,
@@ -76,9 +74,9 @@ pixels = Theorem(
         "others the bounds are measured",
         r"the scene's numbers are within their bounds, constants within half of their last digit; what is missed is "
         r"$2^{1023}$ away",
-        r"the pixels are of $256^2$; of the range, places are up to $2^{-11}$ from the centres of the ten, slopes are off by "
-        r"at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose ends are within $2^{-4}$ of "
-        r"the default scene's; no light is black, and $k_s > 0$",
+        r"the pixels are of $256^2$; of the range, places are up to $2^{-11}$ from the centres of the ten, slopes are off "
+        r"by at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose ends are within "
+        r"$2^{-4}$ of the default scene's; no light is black, and $k_s > 0$",
         "where a sine, an angle or an exponent is exact the machine counts less",
     ),
     expected="proved",
