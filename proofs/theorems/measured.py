@@ -74,7 +74,7 @@ pixels = Theorem(
         "others the bounds are measured",
         r"the scene's numbers are within their bounds, constants within half of their last digit; what is missed is "
         r"$2^{1023}$ away",
-        r"the pixels are of $256^2$; of the range, places are up to $2^{-11}$ from the centres of the ten, slopes are off "
+        r"the pixels are of $256^2$; of the range, places are up to $2^{-11}$ from the centres of the ten, slopes off "
         r"by at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose ends are within "
         r"$2^{-4}$ of the default scene's; no light is black, and $k_s > 0$",
         "where a sine, an angle or an exponent is exact the machine counts less",
