@@ -115,7 +115,7 @@ def render(
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
-    parts: Any = ((), ())
+    parts = np.empty((2, 0))
     if by:
         moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
         named |= dict(zip(slope_planes(len(by), bounds), moving, strict=True))
