@@ -326,6 +326,7 @@ class Frame:
         """(height, width, 3) float64: the bumped normal N' by the frame's method, of length 1; NaN off A."""
         return np.stack([self._plane(part, np.nan) for part in self._normal_on_a()], axis=-1)
 
+    @np.errstate(all="ignore")  # a selection computes both of its sides
     def _normal_on_a(self):
         *angles, h_u, h_v = self.planes_on_a
         slopes = slopes_of_bump(self.scene.bump, angles[-1], self.scene.radius, (h_u, h_v))
