@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from verify.benchmark.frames import FITTED, frame_cases, start_cases, step_cases
-from verify.benchmark.timing import ROUNDS, load, numbers_by_calls
+from verify.benchmark.timing import ROUNDS, load, numbers_by_calls, ratios
 from verify.evidence.records import command
 
 QUICK_SIDE = 1024
@@ -33,19 +33,12 @@ RATIOS = {
 
 def derived(numbers: Mapping[str, float]) -> dict[str, float]:
     """Return the ratios and exponents of {CASE_ms: milliseconds}, of those cases that were timed."""
-
-    def time(case):
-        return numbers[f"{case}_ms"]
-
-    ratios = {}
-    for name, (slow, fast) in RATIOS.items():
-        with suppress(KeyError):
-            ratios[name] = time(slow) / time(fast)
+    found = ratios(numbers, RATIOS)
     for threads in (1, 2):
         with suppress(KeyError):
-            times = [time(f"algebraic_{side}_{threads}") for side in FITTED]  # time ∝ pixels^p
-            ratios[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
-    return ratios
+            times = [numbers[f"algebraic_{side}_{threads}_ms"] for side in FITTED]  # time ∝ pixels^p
+            found[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
+    return found
 
 
 def measure(rounds: int, quick: bool, only: str) -> dict[str, Any]:

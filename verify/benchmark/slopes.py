@@ -13,7 +13,7 @@ from renderer import exact, render
 from renderer.machines.forms import COLORS, flat, of_form
 from renderer.shader.numbers import SCENE_FORM
 from verify.benchmark.frames import calls
-from verify.benchmark.timing import Case, numbers_by_calls
+from verify.benchmark.timing import Case, numbers_by_calls, ratios
 from verify.coq.recorded_pixel import DEFAULT, SHOT, WANTS, recorded
 from verify.coq.recorder import values_of
 
@@ -75,5 +75,4 @@ def slope_numbers(rounds: int) -> dict[str, float]:
     }
     ways |= {"jax": by_jax()} if find_spec("jax") else {}
     times = numbers_by_calls([Case(name, way, calls(SIDE), rounds) for name, way in ways.items()], "slopes")
-    ratios = {name: times[f"{slow}_ms"] / times[f"{fast}_ms"] for name, (slow, fast) in RATIOS.items() if slow in ways}
-    return {"side": SIDE} | times | ratios
+    return {"side": SIDE} | times | ratios(times, RATIOS)

@@ -6,7 +6,7 @@ A machine that slows down for a while then slows all of them.
 import os
 import sys
 import time
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,6 +61,15 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
             case.work()
             seconds[case.name].append(time.perf_counter() - start)
     return seconds
+
+
+def ratios(numbers: Mapping[str, float], pairs: Mapping[str, tuple[str, str]]) -> dict[str, float]:
+    """Return {name: how many times as long one case takes as another}, of those that were timed.
+
+    numbers: {CASE_ms: milliseconds}. pairs: {name: (the one, the other)}.
+    """
+    times = {name: [numbers.get(f"{case}_ms") for case in pair] for name, pair in pairs.items()}
+    return {name: slow / fast for name, (slow, fast) in times.items() if slow and fast}
 
 
 def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
