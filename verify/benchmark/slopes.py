@@ -1,6 +1,7 @@
 """Ways to a picture's slope, timed beside the picture: ours, with bounds, by ten numbers; a difference; JAX's jvp."""
 
 import operator
+import time
 from collections.abc import Callable
 from functools import partial
 from importlib.util import find_spec
@@ -61,7 +62,10 @@ def by_jax() -> Any:
 
 
 def slope_numbers(rounds: int) -> dict[str, float]:
-    """Return the times of pictures and slopes, CASE_ms, and ratios; on one thread. JAX only where it is installed."""
+    """Return the processor's times of pictures and slopes, CASE_ms, and ratios. JAX only where it is installed.
+
+    The ways take turns call by call, on one thread: what else runs on the machine is in no ratio.
+    """
     draw = partial(render, SCENE, SIDE, SIDE, threads=1)
     above, below = (SCENE.with_numbers({"beta": SCENE.beta + move}) for move in (STEP, -STEP))
     ways: dict[str, Callable] = {
@@ -74,5 +78,6 @@ def slope_numbers(rounds: int) -> dict[str, float]:
         "difference": lambda: [render(scene, SIDE, SIDE, threads=1) for scene in (above, below)],
     }
     ways |= {"jax": by_jax()} if find_spec("jax") else {}
-    times = numbers_by_calls([Case(name, way, calls(SIDE), rounds) for name, way in ways.items()], "slopes")
+    cases = [Case(name, way, visits=rounds * calls(SIDE), clock=time.process_time) for name, way in ways.items()]
+    times = numbers_by_calls(cases, "slopes")
     return {"side": SIDE} | times | ratios(times, RATIOS)
