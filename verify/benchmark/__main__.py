@@ -8,7 +8,6 @@ Whole frames by every renderer, steps of a sweep, the command line's start. Writ
 from which the book prints: commit it. The gradient alone is measured by `python -m verify.benchmark.work_precision`.
 """
 
-from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -22,16 +21,16 @@ from verify.evidence.records import command
 
 QUICK_SIDE = 1024
 RATIOS = {
-    "numpy_to_algebraic_1024": ("numpy_1024_2", "algebraic_1024_2"),
-    "seed_to_algebraic_256": ("seed_exact_256_1", "algebraic_256_2"),
-    "seed_central_to_exact": ("seed_central_256_1", "seed_exact_256_1"),
-    "eps_step_central_to_exact": ("eps_step_central_1024_2", "eps_step_exact_1024_2"),
-    "a_alone_central_to_algebraic": ("a_alone_central_1024_1", "a_alone_algebraic_1024_1"),
+    "numpy_to_algebraic_1024": ("numpy_1024_2_ms", "algebraic_1024_2_ms"),
+    "seed_to_algebraic_256": ("seed_exact_256_1_ms", "algebraic_256_2_ms"),
+    "seed_central_to_exact": ("seed_central_256_1_ms", "seed_exact_256_1_ms"),
+    "eps_step_central_to_exact": ("eps_step_central_1024_2_ms", "eps_step_exact_1024_2_ms"),
+    "a_alone_central_to_algebraic": ("a_alone_central_1024_1_ms", "a_alone_algebraic_1024_1_ms"),
 }  # fmt: skip
-"""{number: (the case that takes so many times as long, as this case)}"""
+"""{number: (the time that is so many times as long, as this one)}"""
 
 
-def derived(numbers: Mapping[str, float]) -> dict[str, float]:
+def derived(numbers: dict[str, float]) -> dict[str, float]:
     """Return the ratios and exponents of {CASE_ms: milliseconds}, of those cases that were timed."""
     found = ratios(numbers, RATIOS)
     for threads in (1, 2):

@@ -6,7 +6,7 @@ A machine that slows down for a while then slows all of them.
 import os
 import sys
 import time
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,13 +64,9 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     return seconds
 
 
-def ratios(numbers: Mapping[str, float], pairs: Mapping[str, tuple[str, str]]) -> dict[str, float]:
-    """Return {name: how many times as long one case takes as another}, of those that were timed.
-
-    numbers: {CASE_ms: milliseconds}. pairs: {name: (the one, the other)}.
-    """
-    times = {name: [numbers.get(f"{case}_ms") for case in pair] for name, pair in pairs.items()}
-    return {name: slow / fast for name, (slow, fast) in times.items() if slow and fast}
+def ratios(numbers: dict[str, float], pairs: dict[str, tuple[str, str]]) -> dict[str, float]:
+    """Return {name: one number divided by another}, where both were measured; pairs: {name: (the one, the other)}."""
+    return {n: numbers[one] / numbers[other] for n, (one, other) in pairs.items() if {one, other} <= numbers.keys()}
 
 
 def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:
