@@ -53,8 +53,7 @@ def test_the_pole(method):
         scene = replace(scene, beta=beta, bump=bump)
         record = pixel(scene, *SIZE, 10, 8, method)
         assert (record.surface, record.v, record.kink) == ("A", 0.0, True)
-        assert record.point == record.normal == (0.0, 0.0, 1.0)
-        assert tuple(render(scene, *SIZE, method).normal[8, 10]) == record.normal
+        assert record.point == record.normal == tuple(render(scene, *SIZE, method).normal[8, 10]) == (0.0, 0.0, 1.0)
 
 
 @given(chart_points, steps, wave_numbers)

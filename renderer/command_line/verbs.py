@@ -217,8 +217,8 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except (ValueError, OSError, MemoryError, ModuleNotFoundError) as error:
-        told = re.sub("^derivatives", "by", str(error))  # by the option's name, and not by that in Python
-        print(f"{prog}: error: {told}", file=sys.stderr)
+        # A number of --by by that name, and not by the argument's in Python.
+        print(f"{prog}: error:", re.sub("^derivatives", "by", str(error)), file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
         return say_stopped(prog, stop)

@@ -119,7 +119,7 @@ def render(
     if by:
         moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
         named |= dict(zip(slope_planes(len(by), bounds), moving, strict=True))
-        parts = moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]).transpose(0, 1, 3, 4, 2)
+        parts = np.moveaxis(moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]), 2, -1)
         parts = parts[..., : stage.raster.shape[1], :]
         if not complete:
             moving[...] = 0.0  # off A

@@ -3,7 +3,6 @@
 The last is asked of the committed run, as the ledger asks that none beats ours; what is not installed is left out.
 """
 
-import time
 from itertools import count
 
 import numpy as np
@@ -65,5 +64,5 @@ def test_a_library_draws_the_picture_whose_slope_is_timed():
 
 def test_slopes_are_timed_by_the_processor(monkeypatch):
     """What else runs on a machine is in no ratio."""
-    monkeypatch.setattr(time, "process_time", count().__next__)
+    monkeypatch.setattr("time.process_time", count().__next__)
     assert slope_numbers(1)["by_beta"] == 1

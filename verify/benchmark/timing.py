@@ -53,7 +53,7 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     visits = []
     for number in range(max(case.visits for case in cases)):
         due = [case for case in cases if number < case.visits]
-        visits += due if number % 2 == 0 else due[::-1]
+        visits += due[:: -1 if number % 2 else 1]
     for case in tqdm(visits, desc=title, unit="visit"):
         if case.repeats > 1:
             case.work()
