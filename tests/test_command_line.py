@@ -50,8 +50,10 @@ def test_image(name, tmp_path, capsys):
     """With every option of the scene; a picture that is drawn whole with its bounds."""
     target, (scene, options) = tmp_path / name, other_scene()
     samples = 1 + (name == "a.npz")
-    options += [f"--samples {samples}"] * (samples > 1)
-    options += ["--width 20 --height 10 --crop 5,2,10,6 --threads 1 --gradient central --eps 1e-2 --out", str(target)]
+    options += [
+        f"--samples {samples} --width 20 --height 10 --crop 5,2,10,6 --threads 1 --gradient central --eps 1e-2 --out",
+        str(target),
+    ]
     frame = render(scene, 20, 10, central(1e-2), (5, 2, 10, 6), bounds=True, samples=samples)
     told = f"wrote {target}: 10 x 6 pixels\n"
     is_whole = name in ("a.PNG", "a.npz")
@@ -85,8 +87,8 @@ def test_a_slope(name, tmp_path, capfdbinary):
 def test_views(tmp_path, capsys):
     folder = tmp_path / "new" / "views"
     assert run("views", "--size", 24, "--eps", "1e-2", "--out", folder) == 0
-    names = ["numeric", "symbolic", "slope", "kink", "difference_linear", "difference_logarithmic"]
-    assert capsys.readouterr().out == f"wrote {folder}: {', '.join(f'{name}.png' for name in names)}\n"
+    names = "numeric.png, symbolic.png, slope.png, kink.png, difference_linear.png, difference_logarithmic.png"
+    assert capsys.readouterr().out == f"wrote {folder}: {names}\n"
     one, other = render(Scene(), 24, 24, central(1e-2)), render(Scene(), 24, 24)
     assert shows(folder / "numeric.png", one) and shows(folder / "symbolic.png", other)
     linear = np.asarray(Image.open(folder / "difference_linear.png"))
@@ -157,8 +159,8 @@ REFUSED = {
         "--by beta,ku": "by = 'beta,ku' is not allowed: several numbers for a .npz, one for",
         "--samples 17": "samples = 17 is not allowed: a whole number from 1 to 16",
         "--again a.png --samples 2": "again = 'a.png' is not allowed: no --samples beside it",
-        "--by lights[7].color[0]": "derivatives = 'lights[7].color[0]' is not allowed: names of the scene's numbers",
-        "--by ball_radius --no-ball": "derivatives = 'ball_radius' is not allowed: no number of a body or a light",
+        "--by lights[7].color[0]": "by = 'lights[7].color[0]' is not allowed: names of the scene's numbers",
+        "--by ball_radius --no-ball": "by = 'ball_radius' is not allowed: no number of a body or a light",
         "--scene no.toml": "scene = 'no.toml' is not allowed: a file with a whole record of a scene (No such file",
         "--again file --size 256": "again = 'file' is not allowed: a file with a whole record of a scene (it is no",
         "--again ''": "again = '' is not allowed: no --size beside it",

@@ -44,6 +44,12 @@ DIFFERS = """() => {
     const paper = getComputedStyle(document.body).backgroundColor;
     return document.documentElement.matches('.drawn') && looks.length > 9
         && looks.every(look => look.backgroundImage !== 'none' || look.backgroundColor !== paper) }"""
+# True if no line comes nearer to a drawing's first label than 2 pixels.
+CLEAR = """svg => {
+    const { x, y, width, height } = svg.querySelector('text').getBBox(), all = [...svg.querySelectorAll('path')];
+    const away = (at, from, size) => Math.max(from - at, at - from - size) > 2;
+    return all.every(line => [...Array(400).keys()].map(n => line.getPointAtLength(line.getTotalLength() * n / 399))
+        .every(at => away(at.x, x, width) || away(at.y, y, height))) }"""
 SIZES = "parts => parts.map(e => e.getBoundingClientRect()).map(({ width, height }) => Math.min(width, height))"
 
 
@@ -187,6 +193,7 @@ def test_two_slopes_says_what_the_renderer_says_and_where_float64_takes_no_step(
         ours = [gradient_at(SCENE, u, 0.125, method)[0] for method in (central(eps), exact())]
         digits = 2 if abs(ours[0] - ours[1]) >= 0.01 else 8
         np.testing.assert_allclose((numeric, exactly), ours, rtol=0, atol=0.51 * 10**-digits)
+        assert figure.locator("svg").first.evaluate(CLEAR)
         assert ("float64 takes no step" in figure.locator(".idea-says").inner_text()) is (u + eps == u)
     point.drag_to(figure.locator("svg").first, target_position={"x": 200, "y": 50})  # though both are in one place
     assert now(point) > u

@@ -153,6 +153,7 @@ REFUSED = {
     "derivatives = 7 is not allowed: names": lambda: default(derivatives=[7]),
     "form = 'algebraic' is not allowed: general or": lambda: default(exact("algebraic"), derivatives=["ku"]),
     "direction = 'ku' is not allowed: a number of the frame's derivatives=": lambda: SLOPED.derivative({"ku": 1}),
+    "assignment destination is read-only": lambda: SLOPED.derivatives["kv"].fill(0),
     "kv = 1e+200 is not allowed: a finite number from -1e+100": lambda: SLOPED.derivative({"kv": 1e200}),
     "derivatives = 'ball' is not": lambda: default(derivatives=["ball"]),
     "numbers = 'lights[5].color[0]' is not": lambda: DEFAULT.with_numbers({"lights[5].color[0]": 1}),

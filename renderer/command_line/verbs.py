@@ -1,6 +1,7 @@
 """The command line: image (one picture), views (all of them), sweep (the table of eps), doctor (what draws here)."""
 
 import os
+import re
 import sys
 import warnings
 from argparse import Namespace, RawDescriptionHelpFormatter
@@ -216,7 +217,8 @@ def main(arguments: Sequence[str] | None = None, prog: str = "symbolic-rendering
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
     except (ValueError, OSError, MemoryError, ModuleNotFoundError) as error:
-        print(f"{prog}: error: {error}", file=sys.stderr)
+        # A number of --by by that name, and not by the argument's in Python.
+        print(f"{prog}: error:", re.sub("^derivatives", "by", str(error)), file=sys.stderr)
         return 2
     except KeyboardInterrupt as stop:
         return say_stopped(prog, stop)

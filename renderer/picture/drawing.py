@@ -115,11 +115,11 @@ def render(
     if bounds:
         enclosure = stage.new_plane(channels=3), stage.new_plane(np.uint8)
         named |= dict(zip((*BOUNDS, "open"), (*enclosure[0], enclosure[1]), strict=True))
-    parts: Any = ((), ())
+    parts = np.empty((2, 0))
     if by:
         moving = stage.new_plane(channels=3 * len(by) * (1 + bounds))
         named |= dict(zip(slope_planes(len(by), bounds), moving, strict=True))
-        parts = moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]).transpose(0, 1, 3, 4, 2)
+        parts = np.moveaxis(moving.reshape(1 + bounds, len(by), 3, *moving.shape[1:]), 2, -1)
         parts = parts[..., : stage.raster.shape[1], :]
         if not complete:
             moving[...] = 0.0  # off A

@@ -1,6 +1,5 @@
 """A rendered picture and the data of its pixels, each computed when it is first asked for."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from pathlib import Path
@@ -61,9 +60,12 @@ class Frame:
     stage: Stage
     _planes: np.ndarray | None
     _counts: dict[str, int]
-    _enclosure: tuple[np.ndarray, np.ndarray] | None = None
-    _by: tuple[str, ...] = ()
-    _slopes: Sequence = ((), ())
+    _enclosure: tuple[np.ndarray, np.ndarray] | None
+    _by: tuple[str, ...]
+    _slopes: np.ndarray
+
+    def __post_init__(self) -> None:
+        read_only(self._slopes, *self._enclosure or ())
 
     @property
     def scene(self) -> Scene:
@@ -324,6 +326,7 @@ class Frame:
         """(height, width, 3) float64: the bumped normal N' by the frame's method, of length 1; NaN off A."""
         return np.stack([self._plane(part, np.nan) for part in self._normal_on_a()], axis=-1)
 
+    @np.errstate(all="ignore")  # a selection computes both of its sides
     def _normal_on_a(self):
         *angles, h_u, h_v = self.planes_on_a
         slopes = slopes_of_bump(self.scene.bump, angles[-1], self.scene.radius, (h_u, h_v))
@@ -339,7 +342,7 @@ class Frame:
         """The data of sphere A: a dict of (height, width) float64 planes, NaN off A.
 
         u, v, h, h_u, h_v (by the frame's method), slope, kink (1 or 0), and straddling (1 or 0) for a difference. They
-        are read-only, and so are `chambers` and `planes_on_a`, which more than one answer is made from.
+        are read-only, and so are `chambers`, `planes_on_a`, bounds and slopes, which more than one answer is made from.
         """
         data = {name: self._plane(values, np.nan) for name, values in self.data_on_a.items()}
         read_only(*data.values())

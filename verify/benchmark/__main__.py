@@ -8,7 +8,6 @@ Whole frames by every renderer, steps of a sweep, the command line's start. Writ
 from which the book prints: commit it. The gradient alone is measured by `python -m verify.benchmark.work_precision`.
 """
 
-from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -17,35 +16,28 @@ from typing import Any
 import numpy as np
 
 from verify.benchmark.frames import FITTED, frame_cases, start_cases, step_cases
-from verify.benchmark.timing import ROUNDS, load, numbers_by_calls
+from verify.benchmark.timing import ROUNDS, load, numbers_by_calls, ratios
 from verify.evidence.records import command
 
 QUICK_SIDE = 1024
 RATIOS = {
-    "numpy_to_algebraic_1024": ("numpy_1024_2", "algebraic_1024_2"),
-    "seed_to_algebraic_256": ("seed_exact_256_1", "algebraic_256_2"),
-    "seed_central_to_exact": ("seed_central_256_1", "seed_exact_256_1"),
-    "eps_step_central_to_exact": ("eps_step_central_1024_2", "eps_step_exact_1024_2"),
-    "a_alone_central_to_algebraic": ("a_alone_central_1024_1", "a_alone_algebraic_1024_1"),
+    "numpy_to_algebraic_1024": ("numpy_1024_2_ms", "algebraic_1024_2_ms"),
+    "seed_to_algebraic_256": ("seed_exact_256_1_ms", "algebraic_256_2_ms"),
+    "seed_central_to_exact": ("seed_central_256_1_ms", "seed_exact_256_1_ms"),
+    "eps_step_central_to_exact": ("eps_step_central_1024_2_ms", "eps_step_exact_1024_2_ms"),
+    "a_alone_central_to_algebraic": ("a_alone_central_1024_1_ms", "a_alone_algebraic_1024_1_ms"),
 }  # fmt: skip
-"""{number: (the case that takes so many times as long, as this case)}"""
+"""{number: (the time that is so many times as long, as this one)}"""
 
 
-def derived(numbers: Mapping[str, float]) -> dict[str, float]:
+def derived(numbers: dict[str, float]) -> dict[str, float]:
     """Return the ratios and exponents of {CASE_ms: milliseconds}, of those cases that were timed."""
-
-    def time(case):
-        return numbers[f"{case}_ms"]
-
-    ratios = {}
-    for name, (slow, fast) in RATIOS.items():
-        with suppress(KeyError):
-            ratios[name] = time(slow) / time(fast)
+    found = ratios(numbers, RATIOS)
     for threads in (1, 2):
         with suppress(KeyError):
-            times = [time(f"algebraic_{side}_{threads}") for side in FITTED]  # time ∝ pixels^p
-            ratios[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
-    return ratios
+            times = [numbers[f"algebraic_{side}_{threads}_ms"] for side in FITTED]  # time ∝ pixels^p
+            found[f"exponent_{threads}"] = float(np.polyfit(2 * np.log(FITTED), np.log(times), 1)[0])
+    return found
 
 
 def measure(rounds: int, quick: bool, only: str) -> dict[str, Any]:

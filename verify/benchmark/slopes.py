@@ -1,6 +1,7 @@
 """Ways to a picture's slope, timed beside the picture: ours, with bounds, by ten numbers; a difference; JAX's jvp."""
 
 import operator
+import time
 from collections.abc import Callable
 from functools import partial
 from importlib.util import find_spec
@@ -13,20 +14,20 @@ from renderer import exact, render
 from renderer.machines.forms import COLORS, flat, of_form
 from renderer.shader.numbers import SCENE_FORM
 from verify.benchmark.frames import calls
-from verify.benchmark.timing import Case, numbers_by_calls
+from verify.benchmark.timing import Case, numbers_by_calls, ratios
 from verify.coq.recorded_pixel import DEFAULT, SHOT, WANTS, recorded
 from verify.coq.recorder import values_of
 
 SCENE, SIDE, STEP = SHOT.scene, SHOT.raster.width, 1e-5
 TEN = ("beta", "ku", "kv", "ka", "kd", "ks", "shininess", *(f"lights[0].position[{axis}]" for axis in range(3)))
 RATIOS = {
-    "by_beta": ("beta", "picture"),
-    "by_ten": ("ten", "general"),
-    "certified": ("beta_bounded", "bounded"),
-    "difference_to_slope": ("difference", "beta"),
-    "jax_to_slope": ("jax", "beta"),
+    "by_beta": ("beta_ms", "picture_ms"),
+    "by_ten": ("ten_ms", "general_ms"),
+    "certified": ("beta_bounded_ms", "bounded_ms"),
+    "difference_to_slope": ("difference_ms", "beta_ms"),
+    "jax_to_slope": ("jax_ms", "beta_ms"),
 }
-"""{number: (the case that takes so many times as long, as this case)}"""
+"""{number: (the time that is so many times as long, as this one)}"""
 
 
 def picture_by(arrays: Any, beta: Any) -> list:
@@ -61,9 +62,12 @@ def by_jax() -> Any:
 
 
 def slope_numbers(rounds: int) -> dict[str, float]:
-    """Return the times of pictures and slopes, CASE_ms, and ratios; on one thread. JAX only where it is installed."""
+    """Return the processor's times of pictures and slopes, CASE_ms, and ratios. JAX only where it is installed.
+
+    The ways take turns call by call, on one thread: what else runs on the machine is in no ratio.
+    """
     draw = partial(render, SCENE, SIDE, SIDE, threads=1)
-    above, below = (SCENE.with_numbers({"beta": SCENE.beta + move}) for move in (STEP, -STEP))
+    beside = [SCENE.with_numbers({"beta": SCENE.beta + move}) for move in (STEP, -STEP)]
     ways: dict[str, Callable] = {
         "picture": draw,
         "bounded": partial(draw, bounds=True),
@@ -71,9 +75,9 @@ def slope_numbers(rounds: int) -> dict[str, float]:
         "beta": partial(draw, derivatives=["beta"]),
         "beta_bounded": partial(draw, derivatives=["beta"], bounds=True),
         "ten": partial(draw, derivatives=TEN),
-        "difference": lambda: [render(scene, SIDE, SIDE, threads=1) for scene in (above, below)],
+        "difference": lambda: [render(scene, SIDE, SIDE, threads=1) for scene in beside],
     }
     ways |= {"jax": by_jax()} if find_spec("jax") else {}
-    times = numbers_by_calls([Case(name, way, calls(SIDE), rounds) for name, way in ways.items()], "slopes")
-    ratios = {name: times[f"{slow}_ms"] / times[f"{fast}_ms"] for name, (slow, fast) in RATIOS.items() if slow in ways}
-    return {"side": SIDE} | times | ratios
+    cases = [Case(name, way, visits=rounds * calls(SIDE), clock=time.process_time) for name, way in ways.items()]
+    times = numbers_by_calls(cases, "slopes")
+    return {"side": SIDE} | times | ratios(times, RATIOS)

@@ -21,7 +21,7 @@ BUSY = 0.5  # a load of more than this spoils a measurement
 class Case:
     """One thing that is timed: `repeats` calls of `work` in each visit; `visits`: in how many rounds it takes part.
 
-    Its time is kept as NAME_UNIT, and is that of one of the `points` that a call takes.
+    Its time is kept as NAME_UNIT, and is that of one of the `points` that a call takes, in seconds of the `clock`.
     """
 
     name: str
@@ -30,6 +30,7 @@ class Case:
     visits: int = ROUNDS
     unit: str = "ms"
     points: int = 1
+    clock: Callable[[], float] = time.perf_counter
 
 
 def load() -> float:
@@ -52,15 +53,20 @@ def timings(cases: Collection[Case], title: str) -> dict[str, list[float]]:
     visits = []
     for number in range(max(case.visits for case in cases)):
         due = [case for case in cases if number < case.visits]
-        visits += due if number % 2 == 0 else due[::-1]
+        visits += due[:: -1 if number % 2 else 1]
     for case in tqdm(visits, desc=title, unit="visit"):
         if case.repeats > 1:
             case.work()
         for _ in range(case.repeats):
-            start = time.perf_counter()
+            start = case.clock()
             case.work()
-            seconds[case.name].append(time.perf_counter() - start)
+            seconds[case.name].append(case.clock() - start)
     return seconds
+
+
+def ratios(numbers: dict[str, float], pairs: dict[str, tuple[str, str]]) -> dict[str, float]:
+    """Return {name: one number divided by another}, where both were measured; pairs: {name: (the one, the other)}."""
+    return {n: numbers[one] / numbers[other] for n, (one, other) in pairs.items() if {one, other} <= numbers.keys()}
 
 
 def numbers_by_calls(cases: Collection[Case], title: str) -> dict[str, float]:

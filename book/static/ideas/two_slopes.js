@@ -8,7 +8,6 @@ IDEAS.two_slopes = (stage, module, data) => {
   const TO = 0.25;
   const V = 1 / 8;
   const HIGH = 260;
-  const TOP = 12;
   const BASE = 226;
   const TALL = 190;
   const LEAST = -17;
@@ -170,8 +169,8 @@ IDEAS.two_slopes = (stage, module, data) => {
     const points = Array.from(curve, (at, n) => place(at, heights[n]));
     const reach = Math.max(80, Math.hypot(end[0] - start[0], end[1] - start[1]) / 2);
     panel.show(
-      path_markup("guide", `M${crease} ${TOP}V${BASE + 8}`) +
-        text_at(crease - 20, BASE + 24, "crease") +
+      path_markup("guide", `M${crease} 12V${HIGH}`) +
+        text_at(crease + (u * ku < 1 ? -44 : 6), BASE + 24, "crease") + // on the side that no line through u meets below
         line_markup("height", points) +
         through(place(u, (left + right) / 2), numeric, "secant", 24 + reach) +
         through(point, exact, "slope", 100) +

@@ -17,7 +17,7 @@ function simulator_curve(root, module) {
   const LOWEST = -16; // and of the error
   const HIGHEST = 2;
   const TOP = 10;
-  const STILLS = 16; // each a power of ten wide, in the middle of the axis
+  const STILLS = 16; // each a power of ten wide, in the middle of the axis, where the style sheet puts them
   const LINE = 15;
   const NAMES_WIDE = 110; // beside the plot
   const FINE = Array.from({ length: 137 }, (_, n) => power_of_ten(LEFT + n / 8));
@@ -111,9 +111,6 @@ function simulator_curve(root, module) {
   function show_stills(picture, in_colour) {
     const context = strip.getContext("2d");
     strip.width = STILLS * strip.height;
-    const [first, last] = [LEFT + 0.5, RIGHT - 0.5].map((power) => x_of(10 ** power));
-    strip.style.left = `${first}px`;
-    strip.style.width = `${last - first}px`;
     for (const { eps, still } of picture.values()) {
       const place = Math.log10(eps) - LEFT - 1;
       if (Number.isInteger(place) && place >= 0 && place < STILLS)
