@@ -59,7 +59,7 @@ pixels = Theorem(
     "A pixel against the reference",
     {
         r"""Every channel of a pixel is within the bound that is counted with it of its exact value: by the program that
-        is recorded from the shader, for every field and bump, both models and up to five lights.""": coq(
+        is recorded from the shader, for every field, bump and model, and up to five lights.""": coq(
             "pixel_accuracy__recorded 1b664a13e7cd0305"
         ),
         r"""Coq itself finds how far a channel can be off, without the machine: at ten pixels of the default scene, each

@@ -3,15 +3,13 @@
 The last is asked of the committed run, as the ledger asks that none beats ours; what is not installed is left out.
 """
 
-from itertools import count
-
 import numpy as np
 import pytest
 
 from proofs.engine.program import Program
 from renderer import render
 from verify.benchmark.methods.table import METHODS
-from verify.benchmark.slopes import SCENE, SIDE, picture_by, slope_numbers
+from verify.benchmark.slopes import SCENE, SIDE, picture_by
 from verify.benchmark.work_precision import largest_error, peers_that_beat, points_for, unbeaten_by_ours
 from verify.evidence.records import read
 
@@ -60,9 +58,3 @@ def test_no_formula_is_made_while_the_gradient_is_timed(name, monkeypatch):
 def test_a_library_draws_the_picture_whose_slope_is_timed():
     planes = np.broadcast_arrays(*picture_by(np, SCENE.beta))
     assert np.abs(np.stack(planes, axis=2) - render(SCENE, SIDE, SIDE).rgb).max() < 1e-12
-
-
-def test_slopes_are_timed_by_the_processor(monkeypatch):
-    """What else runs on a machine is in no ratio."""
-    monkeypatch.setattr("time.process_time", count().__next__)
-    assert slope_numbers(1)["by_beta"] == 1

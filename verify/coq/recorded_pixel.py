@@ -49,10 +49,21 @@ ANY = Want(
 )
 SHOT = Shot(Scene(), raster=Raster(256, 256))
 FAR = 2.0**1023  # stands for infinity
-COLUMNS, ROWS = [111, 202, 133, 152, 44, 218, 238, 59, 28, 222], [125, 37, 220, 83, 188, 82, 148, 216, 182, 169]
-"""Ten pixels of it, each in a chamber of its own."""
+PIXELS = (
+    (111, 125),
+    (202, 37),
+    (133, 220),
+    (152, 83),
+    (44, 188),
+    (218, 82),
+    (238, 148),
+    (59, 216),
+    (28, 182),
+    (222, 169),
+)
+"""(column, row) of ten pixels of it, each in a chamber of its own."""
 SPREAD = (204, 117), (195, 26), (3, 46), (158, 98), (21, 93), (215, 80), (234, 109), (29, 44), (22, 115), (238, 80)
-"""(column, row) of a pixel in each of these chambers, further from its edges."""
+"""The same, further from the edges of these chambers."""
 PLACES = {"sine": [(140, 109), (204, 109)], "ridges": [(101, 102), (177, 92)], "rings": [(138, 155), (157, 58)]}
 """{field: (column, row) of pixels on A}"""
 MODELS = {model: ANY.lights.index((model, "squared" if LIGHT_MODELS[model][1] else "base")) for model in LIGHT_MODELS}
@@ -123,15 +134,14 @@ def recorded_source() -> str:
 
 
 def scene_ranges() -> tuple[list[Range], list[Range]]:
-    """Return the default scene's numbers as ranges, those of its lights among them; and those of WIDE.
+    """Return the default scene's numbers as ranges, those of its lights among them; and wide ones, by WIDE and MOVED.
 
     A range is a number's least value, its largest, and how far it may be off.
     """
     numbers = np.clip(np.concatenate([*map(np.ravel, SHOT.numbers)]), -FAR, FAR)
     bounds = input_bounds(SHOT, SHOT.raster.width)["scene_bounds"]
     still = [(number, number, bound) for number, bound in zip_longest(numbers, bounds, fillvalue=0.0)]
-    still += [(0.0, 0.0, 0.0)] * np.size(flat(LIGHT_FORM)) * (MAX_LIGHTS - len(Scene().lights))
-    named = _named(SCENE_FORM) + [f"light_{name}" for name in _named(LIGHT_FORM)] * MAX_LIGHTS
+    named = _named(SCENE_FORM) + [f"light_{name}" for name in _named(LIGHT_FORM)] * len(Scene().lights)
     wide = []
     for name, (number, _, bound) in zip(named, still, strict=True):
         moved, off = MOVED.get(name, 0.0), PRODUCTS_OFF if name in WIDE and name in ROUNDED else bound
@@ -146,9 +156,12 @@ def _named(form):
 def _boxes():
     """Yield the definitions of ten points of the default scene, and of ranges: each its outputs, and its inputs."""
     of, at = input_bounds(SHOT, SHOT.raster.width), SHOT.raster.image_points(SHOT.scene)
-    (still, wide), level = scene_ranges(), [(0.0, 0.0, 0.0)] * 2
+    zero = [(0.0, 0.0, 0.0)]
+    still, wide = (
+        part + zero * np.size(flat(LIGHT_FORM)) * (MAX_LIGHTS - len(Scene().lights)) for part in scene_ranges()
+    )
 
-    def place(pixel, around, slopes=level):
+    def place(pixel, around, slopes=zero * 2):
         middles = [(x[n], of[f"{name}_bound"][n]) for name, x, n in zip("xy", at, pixel, strict=True)]
         return _list(map(_range, (*((n - around, n + around, bound) for n, bound in middles), *slopes)))
 
@@ -158,7 +171,7 @@ def _boxes():
             data = render(Scene(field=field), 256, 256, exact("general"), (*pixel, 1, 1)).surface_data
             slopes = [(data[name].item(), data[name].item(), SLOPES_OFF) for name in SLOPES]
             ranges.append(f"(by_slopes, {place(pixel, 0.0, slopes)} ++ wide {model})")
-    points = [f"(drawn, {place(pixel, 0.0)} ++ scene)" for pixel in zip(COLUMNS, ROWS, strict=True)]
+    points = [f"(drawn, {place(pixel, 0.0)} ++ scene)" for pixel in PIXELS]
     wide = [*map(_range, wide)]
     wide[_named(SCENE_FORM).index("model")] = "exactly (model, 0)"
     yield f"Definition scene : list number := {_list(map(_range, still))}."
