@@ -82,13 +82,18 @@ Definition count_of_scaled (a : kind) (k : Z) (x e : R) := rounded (rounded (bpo
   if Rle_dec (Rabs (rounded (x * bpow radix2 k))) (bpow radix2 (-1022)) then 1 / 2 ^ 1007 else 0 else 1 / 2 ^ 1007).
 Definition count_of_product (a b : kind) (x e y d : R) := if (exact_zero a x e || exact_zero b y d)%bool then 0 else match scale_of a, scale_of b
   with | Some k, _ => count_of_scaled b k y d | _, Some k => count_of_scaled a k x e | _, _ => enclosed_product_float64.product_error x e y d end.
+(* What a product in two parts is moved by: of a factor that stays exact the second part counts what underflows, unless a factor is an exact 0. *)
+Definition either_stays (a b : kind) := (stays_exact a || stays_exact b)%bool.
+Definition moved_in_two (a b : kind) (x e y d : R) := let size x e := rounded (Rabs x + rounded (ROUNDING * e)) in rounded (product_moves x e y d + if
+  either_stays a b then if both (Rlt_dec (Rabs (rounded (x * y))) (1 / 2 ^ 900)) (Rlt_dec 0 (Rmin (size x e) (size y d))) then 1 / 2 ^ 1007 else 0 else 0).
+Definition count_of_wave (a b : kind) (x e y d wave : R) := count_of_turn (either_stays a b) wave (moved_in_two a b x e y d).
 Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := match o, given with | Constant _ count _, [] => count | Negative,
   [(_, (_, e))] | Size, [(_, (_, e))] => e | Sum, [(a, (x, e)); (b, (y, d))] => count_of_sum a b x e y d | Difference, [(a, (x, e)); (b, (y, d))]
   => count_of_sum a b x e (- y) d | Product, [(a, (x, e)); (b, (y, d))] => count_of_product a b x e y d | Quotient, [(a, (x, e)); (_, (y, d))] =>
   if exact_zero a x e then 0 else enclosed_quotient_float64.quotient_error x e y d | Root, [(_, (x, e))] => enclosed_root_float64.root_error x e |
   Floor, [(_, (x, e))] => enclosed_floor_float64.below_error x e | Nearest, [(_, (x, e))] => enclosed_nearest_float64.nearest_error x e | Sine,
-  [(_, (x, e)); (_, (y, d))] => enclosed_sine_float64.sine_error x e y d | Cosine, [(_, (x, e)); (_, (y, d))] =>
-  enclosed_cosine_float64.cosine_error x e y d | Angle, [(_, (y, d)); (_, (x, e))] => enclosed_angle_float64.angle_error x e y d | Exponential,
+  [(a, (x, e)); (b, (y, d))] => count_of_wave a b x e y d (enclosed_sine_float64.sine x y) | Cosine, [(a, (x, e)); (b, (y, d))] =>
+  count_of_wave a b x e y d (enclosed_cosine_float64.cosine x y) | Angle, [(_, (y, d)); (_, (x, e))] => enclosed_angle_float64.angle_error x e y d | Exponential,
   [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e | Raised,
   [(_, (x, e)); (_, (y, d))] => enclosed_power_float64.raised_error x e y d
   | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared => if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map
@@ -97,7 +102,8 @@ Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := 
 (* That a number of the machine encloses an exact one; s is the slack of the counts, which each operation adds to. *)
 Definition encloses (s : R) (n : R * R) (x : R) := float64 (fst n) /\ float64 (snd n) /\ 0 <= snd n /\ Rabs (fst n - x) <= s * (snd n / 2 ^ 53).
 (* What a rule asks: of what the machine computed, and of nothing else. *)
-Definition turn_allowed (x e y d : R) := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y = 0).
+Definition turn_allowed (a b : kind) (x e y d : R) := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y =
+  0) /\ (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x = 0 /\ e = 0 \/ y = 0 /\ d = 0 \/ e = 0 /\ d = 0).
 (* A literal power of two is one, and below 1 no count is so small that it vanishes. *)
 Definition scale_allowed (a : kind) (x e d : R) := match scale_of a with Some k => Rabs x = bpow radix2 k /\ e = 0 /\ ((0 <= k)%Z \/ d = 0 \/ 1 /
   2 ^ 1007 <= bpow radix2 k * d) | None => True end.
@@ -105,8 +111,8 @@ Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, g
   | Constant value count meant, [] => encloses 1 (value, count) meant | Negative, [_] | Size, [_] | Sum, [_; _] | Difference, [_; _] => True |
   Product, [(a, (x, e)); (b, (y, d))] => e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ scale_allowed a x e d /\ scale_allowed b y d e | Quotient, [_; (_, (y, d))]
   => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488 | Root, [(_, (x, _))] => x >= 0 | Floor,
-  [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(_, (x, e)); (_, (y, d))] | Cosine, [(_, (x, e)); (_, (y, d))] => turn_allowed x
-  e y d | Angle, [(_, (y, _)); (_, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
+  [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(a, (x, e)); (b, (y, d))] | Cosine, [(a, (x, e)); (b, (y, d))] => turn_allowed a
+  b x e y d | Angle, [(_, (y, _)); (_, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
   x >= 1 \/ x = 0) | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(_, (x, e)); (_, (y, d))] => x >= 0 /\ y *
   (x + e / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + e) >= 1 \/ x + e = 0) /\ 1024 * y >= 1 /\ y <= 524288 /\ d <= 2251799813685248 * y
   | _, _ => False end.
@@ -137,7 +143,7 @@ Proof. unfold exponential_of_sum_float64.exponential. chosen_is_float64. Qed.
 
 Lemma zero_encloses s : encloses s (0, 0) 0.
 Proof. split; [apply generic_format_0 | split; [apply generic_format_0 | cbn; rewrite Rminus_eq_0, Rabs_R0; lra]]. Qed.
-Ltac opened := repeat match goal with X : encloses _ _ _ |- _ => destruct X | X : turn_allowed _ _ _ _ |- _ => destruct X | X : _ /\ _ |- _ =>
+Ltac opened := repeat match goal with X : encloses _ _ _ |- _ => destruct X | X : _ /\ _ |- _ =>
   destruct X end.
 Section rules.
 Variable s : R.
@@ -215,6 +221,10 @@ Proof.
     scaled_by_power; assumption].
   replace y with (- bpow radix2 k) by lra. rewrite <- !Ropp_mult_distr_r, rounded_opp. apply encloses_opposite. apply scaled_by_power; assumption.
 Qed.
+Lemma same x x' : encloses s (x, 0) x' -> x = x'.
+Proof.
+  intros (_ & _ & _ & D). cbn [fst snd] in D. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (x - x')) (Rabs_eq_0 (x - x')). lra.
+Qed.
 Lemma product_rule a b x e x' y d y' :  encloses s (x, e) x' -> encloses s (y, d) y' -> e <= 2 ^ 60 -> d <= 2 ^ 60
   -> scale_allowed a x e d -> scale_allowed b y d e ->
   encloses (s * (1 + 1 / 2 ^ 49)) (enclosed_product_float64.product x y, count_of_product a b x e y d) (x' * y').
@@ -223,12 +233,9 @@ Proof.
     [|destruct (exact_zero b y d) eqn:Zy; cbn [orb]].
   1: destruct (is_exact_zero a x e x' X Zx) as (-> & _ & ->); rewrite !Rmult_0_l, rounded_0; apply zero_encloses.
   1: destruct (is_exact_zero b y d y' Y Zy) as (-> & _ & ->); rewrite !Rmult_0_r, rounded_0; apply zero_encloses.
-  assert (Same : forall x x', encloses s (x, 0) x' -> x = x').
-  { intros z z' (_ & _ & _ & D). cbn [fst snd] in D. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (z - z')) (Rabs_eq_0
-    (z - z')). intros. lra. }
   destruct (scale_of a) as [k|]; [|destruct (scale_of b) as [k|]].
-  - destruct A as (A & -> & W). rewrite <- (Same _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
-  - destruct B as (B & -> & W). rewrite <- (Same _ _ Y). apply scaled_rule; assumption.
+  - destruct A as (A & -> & W). rewrite <- (same _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
+  - destruct B as (B & -> & W). rewrite <- (same _ _ Y). apply scaled_rule; assumption.
   - opened. split; [apply rounded_is_float64 | apply (enclosing_rules__product s x e x' y d y'); assumption].
 Qed.
 (* Coq's root and power of what is negative are 0, as of the nearest number that is not. *)
@@ -241,6 +248,19 @@ Proof.
     sqrt_neg; lra]).
   rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply nearest_above; assumption |
     apply Rle_ge, Rmax_l].
+Qed.
+
+Lemma wave_rule a b x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y' -> turn_allowed a b x e y d -> let enclosed f := encloses (s * (1 + 1
+  / 2 ^ 49)) (f, count_of_wave a b x e y d f) in enclosed (enclosed_sine_float64.sine x y) (sin (PI * (x' * y'))) /\ enclosed
+  (enclosed_cosine_float64.cosine x y) (cos (PI * (x' * y'))).
+Proof.
+  intros X Y (L & L' & U & N & Z). pose proof X as (Fx & _ & Px & Dx). pose proof Y as (Fy & _ & Py & Dy). cbn [fst snd] in *. assert (product_moves x e y
+    d <= moved_in_two a b x e y d) by (apply round_ge_generic; [typeclasses eauto.. | apply rounded_is_float64 | destruct (either_stays a b); [destruct (both _ _)|]; lra]).
+  assert (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x * y = x' * y').
+  { intro E. destruct (Z E) as [G|G]; [left; exact G | right]. destruct G as [[? ?] | [[? ?] | [? ?]]]; subst; try apply same in X; try apply same in Y;
+    subst; ring. }
+  split; (split; [apply sine_result || apply cosine_result|]); [of_half_turns (either_stays a b) sine_rule @proj1 s x e x' y d y' | of_half_turns
+    (either_stays a b) cosine_rule @proj2 s x e x' y d y'].
 Qed.
 
 (* By a theorem about the parts of what is given. *)
@@ -266,10 +286,8 @@ Proof.
   - exact (root_rule x ex x1 X H).
   - by_rule (enclosing_rules__floor s x ex x1) ltac:(apply (whole_part_is_float64 Zfloor); [apply valid_rnd_DN | assumption]).
   - by_rule (enclosing_rules__nearest s x ex x1) ltac:(apply whole_part_is_float64; [apply valid_rnd_N | assumption]).
-  - by_rule (enclosing_rules__sine s x ex x1 y ey y1) ltac:(apply
-      sine_result).
-  - by_rule (enclosing_rules__cosine s x ex x1 y ey y1) ltac:(apply
-      cosine_result).
+  - apply wave_rule; assumption.
+  - apply wave_rule; assumption.
   - by_rule (enclosing_rules__angle s y ey y1 x ex x1) ltac:(apply angle_is_float64).
   - by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
   - by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
