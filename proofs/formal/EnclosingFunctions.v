@@ -51,7 +51,7 @@ Proof. generalize (SIN_bound x). lra. Qed.
 Definition sine_rule f := half_turns_rule sin cos f is_derive_sin COS_bound SIN_bound.
 Definition cosine_rule f := half_turns_rule cos (fun x => - sin x) f is_derive_cos slope_of_cosine COS_bound.
 Ltac of_half_turns stays rule part s x ex x' y ey y' := eapply (rule _ stays _ s x ex x' y ey y'); try assumption; [eapply part, (elementary_functions__of_product_relative x y) |
-  eapply part, (sides x y) | ..]; try apply not_tiny; try assumption.
+  eapply part, (signs_of_waves x y) | ..]; try apply not_tiny; try assumption.
 Theorem enclosing_rules__sine : Statements.enclosing_rules__sine.
 Proof. red. intros. of_half_turns false sine_rule @proj1 slack x x_error x_exact y y_error y_exact; [apply Rle_refl | discriminate]. Qed.
 Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
