@@ -100,7 +100,7 @@ Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := 
   [(a, (x, e)); (b, (y, d))] => count_of_wave a b x e y d (enclosed_sine_float64.sine x y) | Cosine, [(a, (x, e)); (b, (y, d))] =>
   count_of_wave a b x e y d (enclosed_cosine_float64.cosine x y) | Angle, [(a, (y, d)); (b, (x, e))] => count_of_angle a b y d x e | Exponential,
   [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e | Raised,
-  [(_, (x, e)); (_, (y, d))] => enclosed_power_float64.raised_error x e y d
+  [(_, (x, e)); (b, (y, d))] => count_of_power (is_free b) x e y d
   | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared => if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map
   snd compared)) then e else d | _, _ => 0 end.
 
@@ -117,9 +117,10 @@ Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, g
   Product, [(a, (x, e)); (b, (y, d))] => e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ scale_allowed a x e d /\ scale_allowed b y d e | Quotient, [_; (_, (y, d))]
   => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488 | Root, [(_, (x, _))] => x >= 0 | Floor,
   [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(a, (x, e)); (b, (y, d))] | Cosine, [(a, (x, e)); (b, (y, d))] => turn_allowed a
-  b x e y d | Angle, [(a, (y, _)); (b, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 /\ (is_free a && is_free b = true -> 0 <= x \/ y <> 0) | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
-  x >= 1 \/ x = 0) | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(_, (x, e)); (_, (y, d))] => x >= 0 /\ y *
-  (x + e / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + e) >= 1 \/ x + e = 0) /\ 1024 * y >= 1 /\ y <= 524288 /\ d <= 2251799813685248 * y
+  b x e y d | Angle, [(a, (y, _)); (b, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 /\ (is_free a && is_free b = true -> 0 <= x \/ y <> 0) | Exponential, [(a, (x, e))] => is_free a = false /\ x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
+  x >= 1 \/ x = 0) | Logarithm, [(a, (x, e))] => is_free a = false /\ x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(a, (x, e)); (b,
+  (y, d))] => is_free a = false /\ (is_free b = true -> d = 0) /\ x >= 0 /\ y * (x + e / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + e) >= 1 \/
+  x + e = 0) /\ 1024 * y >= 1 /\ y <= 524288 /\ d <= 2251799813685248 * y
   | _, _ => False end.
 Lemma encloses_weaker s t n x : s <= t -> encloses s n x -> encloses t n x.
 Proof. intros L (V & C & P & D). repeat split; try assumption. at_most_by D. apply Rmult_le_compat_r; lra. Qed.
@@ -312,7 +313,7 @@ Proof.
   - by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
   - by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
   - assert (Q : power x1 y1 = power (Rmax 0 x1) y1) by (unfold power, Rmax; destruct Rle_dec; repeat destruct Rlt_dec; lra). rewrite Q. opened. split;
-      [apply power_is_float64|]. apply (enclosing_rules__power s x ex (Rmax 0 x1) y ey y1); try assumption; [apply nearest_above; assumption | apply Rle_ge,
+      [apply power_is_float64|]. apply (power_rule (is_free b) s x ex (Rmax 0 x1) y ey y1); try assumption; [apply nearest_above; assumption | apply Rle_ge,
       Rmax_l].
 Qed.
 End rules.

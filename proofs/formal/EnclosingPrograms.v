@@ -94,7 +94,7 @@ Proof.
       snd] in *.
     split; [exact Fx | split; [exact Fy | exact (proj1 (enclosing_rules__quotient s v e (snd x) w d (snd y) S1 S2 X E P D Y G Q M U L))]].
   - destruct exact as [|x [|y exact]]; try exact F. inversion A as [|[a [v e]] x' g1 r1 X A1]; subst. inversion A1; subst. destruct X as (X & E & P &
-      D), H as (U & L & T).
+      D), H as (_ & U & L & T).
     inversion F as [|? ? Fx _]; subst. cbn [fst snd] in *. split; [exact Fx|]. apply Rabs_le_inv in D. assert (0 < v) by lra.
     assert (s * e <= s * (2 ^ 52 * v)) by (apply Rmult_le_compat_l; lra). assert (s * v <= (1 + 3 / 2 ^ 22) * v) by (apply Rmult_le_compat_r; lra).
       lra.
