@@ -19,12 +19,12 @@ Variables (wave wave_slope : R -> R) (computed_wave : R).
 Hypothesis wave_derivative : forall x, is_derive wave x (wave_slope x).
 Hypothesis wave_steep : forall x, -1 <= wave_slope x <= 1.
 Hypothesis wave_range : forall x, -1 <= wave x <= 1.
-Lemma half_turns_rule stays m s x ex x' y ey y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey
-  -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 -> let e := wave (PI * (x * y)) in near_relative (19/4) computed_wave e -> sign computed_wave =
-  sign e -> product_moves x ex y ey <= m -> (stays = true -> 1 / 2 ^ 900 <= m \/ x * y = x' * y') -> let c := count_of_turn stays computed_wave m in
-  float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' * y'))) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Lemma half_turns_rule stays m s x ex x' y ey y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, ex) x' -> encloses s (y, ey) y' -> ex <= 2 ^ 60 -> let e
+  := wave (PI * (x * y)) in near_relative (19/4) computed_wave e -> sign computed_wave = sign e -> product_moves x ex y ey <= m -> (stays = true -> 1 / 2
+  ^ 900 <= m \/ x * y = x' * y') -> let c := count_of_turn stays computed_wave m in float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' * y'))) <= s * (1
+  + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
-  intros S1 S2 Y Px Dx Py Dy L e Near Side Lm Z. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. fold (product_moves x ex y ey) in
+  intros S1 S2 (_ & _ & Px & Dx) (Y & _ & Py & Dy) L e Near Side Lm Z. cbn [fst snd] in *. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. fold (product_moves x ex y ey) in
     *. set (m0 := product_moves _ _ _ _) in *. assert (s * m0 <= s * m) by (apply Rmult_le_compat_l; lra).
   destruct (bound_of s m S1 S2 ltac:(lra)) as [B _]. pose proof proj1 underflow_in_least as T. pose proof underflow_is_small as W. assert (0 <= m) by lra.
   unfold count_of_turn. counts b (ROUNDING * m). set (h := 7074237752028453 / 2251799813685248) in *. assert (0 <= h) by (unfold h; lra). counts t (h * b).
@@ -50,7 +50,7 @@ Lemma slope_of_cosine x : -1 <= - sin x <= 1.
 Proof. generalize (SIN_bound x). lra. Qed.
 Definition sine_rule f := half_turns_rule sin cos f is_derive_sin COS_bound SIN_bound.
 Definition cosine_rule f := half_turns_rule cos (fun x => - sin x) f is_derive_cos slope_of_cosine COS_bound.
-Ltac of_half_turns stays rule part s x ex x' y ey y' := eapply (rule _ stays _ s x ex x' y ey y'); try assumption; [eapply part, (elementary_functions__of_product_relative x y) |
+Ltac of_half_turns stays rule part s x ex x' y ey y' := eapply (rule _ stays _ s x ex x' y ey y'); try assumption; try (repeat split; assumption); [eapply part, (elementary_functions__of_product_relative x y) |
   eapply part, (signs_of_waves x y) | ..]; try apply not_tiny; try assumption.
 Theorem enclosing_rules__sine : Statements.enclosing_rules__sine.
 Proof. red. intros. of_half_turns false sine_rule @proj1 slack x x_error x_exact y y_error y_exact; [apply Rle_refl | discriminate]. Qed.

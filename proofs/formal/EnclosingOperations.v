@@ -3,7 +3,7 @@
 From Coq Require Import Reals Lra Lia ZArith List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Mult_error Pff2Flocq.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedAngle EnclosingRules EnclosingFunctions EnclosingAngle EnclosingLogarithm
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingBounds EnclosingFunctions EnclosingAngle EnclosingLogarithm
   EnclosingPower.
 Open Scope R_scope.
 Import ListNotations.
@@ -104,8 +104,6 @@ Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := 
   | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared => if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map
   snd compared)) then e else d | _, _ => 0 end.
 
-(* That a number of the machine encloses an exact one; s is the slack of the counts, which each operation adds to. *)
-Definition encloses (s : R) (n : R * R) (x : R) := float64 (fst n) /\ float64 (snd n) /\ 0 <= snd n /\ Rabs (fst n - x) <= s * (snd n / 2 ^ 53).
 (* What a rule asks: of what the machine computed, and of nothing else. *)
 Definition turn_allowed (a b : kind) (x e y d : R) := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y =
   0) /\ (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x = 0 /\ e = 0 \/ y = 0 /\ d = 0 \/ e = 0 /\ d = 0).
@@ -119,9 +117,7 @@ Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, g
   [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(a, (x, e)); (b, (y, d))] | Cosine, [(a, (x, e)); (b, (y, d))] => turn_allowed a
   b x e y d | Angle, [(a, (y, _)); (b, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 /\ (is_free a && is_free b = true -> 0 <= x \/ y <> 0) | Exponential, [(a, (x, e))] => is_free a = false /\ x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
   x >= 1 \/ x = 0) | Logarithm, [(a, (x, e))] => is_free a = false /\ x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(a, (x, e)); (b,
-  (y, d))] => is_free a = false /\ (is_free b = true -> d = 0) /\ x >= 0 /\ y * (x + e / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + e) >= 1 \/
-  x + e = 0) /\ 1024 * y >= 1 /\ y <= 524288 /\ d <= 2251799813685248 * y
-  | _, _ => False end.
+  (y, d))] => is_free a = false /\ (is_free b = true -> d = 0) /\ power_allowed x e y d | _, _ => False end.
 Lemma encloses_weaker s t n x : s <= t -> encloses s n x -> encloses t n x.
 Proof. intros L (V & C & P & D). repeat split; try assumption. at_most_by D. apply Rmult_le_compat_r; lra. Qed.
 Lemma not_more s n x : 1 <= s -> encloses s n x -> encloses (s * (1 + 1 / 2 ^ 49)) n x.
@@ -174,14 +170,10 @@ Proof.
   intros X Y. unfold count_of_sum. destruct (_ || _)%bool; [apply found_sum_rule; assumption|]. opened. split; [apply rounded_is_float64 | apply
     (enclosing_rules__sum s x e x' y d y'); assumption].
 Qed.
-Lemma same x x' : encloses s (x, 0) x' -> x = x'.
-Proof.
-  intros (_ & _ & _ & D). cbn [fst snd] in D. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (x - x')) (Rabs_eq_0 (x - x')). lra.
-Qed.
 Lemma is_zero x e x' : encloses s (x, e) x' -> Rabs x + e = 0 -> x = 0 /\ e = 0 /\ x' = 0.
 Proof.
   intros X Z. assert (e = 0 /\ x = 0) as [-> ->]; [destruct X as (_ & _ & P & _); cbn [snd] in P; generalize (Rabs_pos x) (Rabs_eq_0 x); lra |]. rewrite <-
-    (same _ _ X). auto.
+    (same _ _ _ X). auto.
 Qed.
 Lemma is_exact_zero a x e x' : encloses s (x, e) x' -> exact_zero a x e = true -> x = 0 /\ e = 0 /\ x' = 0.
 Proof. unfold exact_zero. destruct Req_EM_T; [intros; apply is_zero; assumption | discriminate]. Qed.
@@ -240,19 +232,22 @@ Proof.
   1: destruct (is_exact_zero a x e x' X Zx) as (-> & _ & ->); rewrite !Rmult_0_l, rounded_0; apply exactly_encloses, generic_format_0.
   1: destruct (is_exact_zero b y d y' Y Zy) as (-> & _ & ->); rewrite !Rmult_0_r, rounded_0; apply exactly_encloses, generic_format_0.
   destruct (scale_of a) as [k|]; [|destruct (scale_of b) as [k|]].
-  - destruct A as (A & -> & W). rewrite <- (same _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
-  - destruct B as (B & -> & W). rewrite <- (same _ _ Y). apply scaled_rule; assumption.
+  - destruct A as (A & -> & W). rewrite <- (same _ _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
+  - destruct B as (B & -> & W). rewrite <- (same _ _ _ Y). apply scaled_rule; assumption.
   - opened. split; [apply rounded_is_float64 | apply (enclosing_rules__product s x e x' y d y'); assumption].
 Qed.
 (* Coq's root and power of what is negative are 0, as of the nearest number that is not. *)
-Lemma nearest_above x e x' : x >= 0 -> Rabs (x - x') <= s * (e / 2 ^ 53) -> Rabs (x - Rmax 0 x') <= s * (e / 2 ^ 53).
-Proof. intros X0 D. eapply Rle_trans; [|exact D]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs. repeat destruct Rcase_abs; lra. Qed.
+Lemma nearest_above x e x' : x >= 0 -> encloses s (x, e) x' -> encloses s (x, e) (Rmax 0 x').
+Proof.
+  intros X0 (X & E & P & D). cbn [fst snd] in *. repeat split; try assumption. eapply Rle_trans; [|exact D]. cbn [fst snd]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs.
+    repeat destruct Rcase_abs; lra.
+Qed.
 Lemma root_rule x e x' :  encloses s (x, e) x' -> x >= 0 -> encloses (s * (1 + 1 / 2 ^ 49))
   (enclosed_root_float64.root x, enclosed_root_float64.root_error x e) (sqrt x').
 Proof.
-  intros (X & E & P & D) X0. assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
+  intros X X0. destruct (nearest_above x e x' X0 X) as (_ & E & P & D). assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
     sqrt_neg; lra]).
-  rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply nearest_above; assumption |
+  rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply X |
     apply Rle_ge, Rmax_l].
 Qed.
 
@@ -260,7 +255,7 @@ Lemma wave_rule a b x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y'
   / 2 ^ 49)) (f, count_of_wave a b x e y d f) in enclosed (enclosed_sine_float64.sine x y) (sin (PI * (x' * y'))) /\ enclosed
   (enclosed_cosine_float64.cosine x y) (cos (PI * (x' * y'))).
 Proof.
-  intros X Y (L & L' & U & N & Z). pose proof X as (Fx & _ & Px & Dx). pose proof Y as (Fy & _ & Py & Dy). cbn [fst snd] in *. assert (product_moves x e y
+  intros X Y (L & _ & U & N & Z). pose proof proj1 X as Fx. pose proof proj1 Y as Fy. assert (product_moves x e y
     d <= moved_in_two a b x e y d) by (apply round_ge_generic; [typeclasses eauto..| apply rounded_is_float64 | destruct (either_stays a b); [destruct (both _ _)|]; lra]).
   assert (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x * y = x' * y').
   { intro E. destruct (Z E) as [G|G]; [left; exact G | right]. destruct G as [[? ?] | [[? ?] | [? ?]]]; subst; try apply same in X; try apply same in Y;
@@ -312,8 +307,7 @@ Proof.
   - apply angle_rule; apply H || assumption.
   - by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
   - by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
-  - assert (Q : power x1 y1 = power (Rmax 0 x1) y1) by (unfold power, Rmax; destruct Rle_dec; repeat destruct Rlt_dec; lra). rewrite Q. opened. split;
-      [apply power_is_float64|]. apply (power_rule (is_free b) s x ex (Rmax 0 x1) y ey y1); try assumption; [apply nearest_above; assumption | apply Rle_ge,
-      Rmax_l].
+  - assert (Q : power x1 y1 = power (Rmax 0 x1) y1) by (unfold power, Rmax; destruct Rle_dec; repeat destruct Rlt_dec; lra). rewrite Q. eapply proj2,
+      (power_rule (is_free b)); try apply H; try assumption; [apply nearest_above; [apply H | exact X] | apply Rle_ge, Rmax_l].
 Qed.
 End rules.

@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra List Bool.
 From Flocq Require Import Core.
-From Formal Require Import Preliminaries Float Float64 Programs RoundedHalfTurns Rounding EnclosingRules EnclosingOperations.
+From Formal Require Import Preliminaries Float Float64 Programs RoundedHalfTurns Rounding EnclosingRules EnclosingBounds EnclosingOperations.
 Open Scope R_scope.
 Import ListNotations.
 

@@ -260,16 +260,6 @@ Proof.
   unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant. rewrite no_octant by
     (rewrite Rabs_R0; apply Rmin_left, Rle_refl). repeat destruct Rlt_dec; lra.
 Qed.
-(* On an axis it is exact, and the angle the same of all points of a side. *)
-Lemma on_an_axis y x y' x' : y = 0 /\ y' = 0 /\ 0 < x * x' \/ x = 0 /\ x' = 0 /\ 0 < y * y' -> angle_in_half_turns_float64.angle y x = atan2pi y' x'.
-Proof.
-  intro H. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant. rewrite
-    no_octant by (generalize (Rabs_pos x) (Rabs_pos y); destruct H as [(-> & _) | (-> & _)]; rewrite Rabs_R0; intros; apply Rmin_right || apply Rmin_left;
-    assumption).
-  assert (K : rounded (1 / 2) = 1 / 2) by (apply kept; replace (1 / 2) with (bpow radix2 (-1)) by (simpl; lra); apply generic_format_bpow; easy).
-  pose proof PI_neq0. unfold atan2pi, atan2. destruct H as [(-> & -> & P) | (-> & -> & P)]; try replace (0 / x') with 0 by (unfold Rdiv; ring); rewrite ?atan_0;
-    unfold Rabs; repeat (destruct Rcase_abs || destruct Rlt_dec || destruct Rle_dec); try (exfalso; nra); rewrite ?Rminus_0_r, ?K, ?rounded_1; field; assumption.
-Qed.
 Theorem elementary_functions__atan2pi__point : exists y x, float64 y /\ float64 x /\ bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
 Proof.
   exists 0, 1. split; [apply generic_format_0|]. split; [exact one_is_float64|].
