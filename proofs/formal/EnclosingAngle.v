@@ -85,8 +85,11 @@ Qed.
 Lemma on_an_axis y x y' x' : y = 0 /\ y' = 0 /\ 0 < x * x' \/ x = 0 /\ x' = 0 /\ 0 < y * y' -> angle_in_half_turns_float64.angle y x = atan2pi y' x'.
 Proof.
   intro H. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant. rewrite
-    no_octant by (generalize (Rabs_pos x) (Rabs_pos y); destruct H as [(-> & _) | (-> & _)]; rewrite Rabs_R0; intros; apply Rmin_right || apply Rmin_left;
+    no_octant by (generalize (Rabs_pos x) (Rabs_pos y); destruct H as [(-> & _) | (-> & _)]; rewrite Rabs_R0; intros; apply Rmin_right || apply
+      Rmin_left;
     assumption).
-  pose proof kept _ half_is_float64 as K. pose proof PI_neq0. unfold atan2pi, atan2. destruct H as [(-> & -> & P) | (-> & -> & P)]; try replace (0 / x') with 0 by (unfold Rdiv; ring); rewrite ?atan_0;
-    unfold Rabs; repeat (destruct Rcase_abs || destruct Rlt_dec || destruct Rle_dec); try (exfalso; nra); rewrite ?Rminus_0_r, ?K, ?rounded_1; field; assumption.
+  pose proof kept _ half_is_float64 as K. pose proof PI_neq0. unfold atan2pi, atan2. destruct H as [(-> & -> & P) | (-> & -> & P)]; try replace (0 /
+    x') with 0 by (unfold Rdiv; ring); rewrite ?atan_0;
+    unfold Rabs; repeat (destruct Rcase_abs || destruct Rlt_dec || destruct Rle_dec); try (exfalso; nra); rewrite ?Rminus_0_r, ?K, ?rounded_1; field;
+      assumption.
 Qed.

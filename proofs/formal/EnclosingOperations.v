@@ -3,7 +3,8 @@
 From Coq Require Import Reals Lra Lia ZArith List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Mult_error Pff2Flocq.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingBounds EnclosingFunctions EnclosingAngle EnclosingLogarithm
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingBounds EnclosingFunctions EnclosingAngle
+  EnclosingLogarithm
   EnclosingPower.
 Open Scope R_scope.
 Import ListNotations.
@@ -86,12 +87,14 @@ Definition count_of_product (a b : kind) (x e y d : R) := if (exact_zero a x e |
 (* What a product in two parts is moved by: of a factor that stays exact the second part counts what underflows, unless a factor is an exact 0. *)
 Definition either_stays (a b : kind) := (stays_exact a || stays_exact b)%bool.
 Definition moved_in_two (a b : kind) (x e y d : R) := let size x e := rounded (Rabs x + rounded (ROUNDING * e)) in rounded (product_moves x e y d + if
-  either_stays a b then if both (Rlt_dec (Rabs (rounded (x * y))) (1 / 2 ^ 900)) (Rlt_dec 0 (Rmin (size x e) (size y d))) then 1 / 2 ^ 1007 else 0 else 0).
-Definition count_of_wave (a b : kind) (x e y d wave : R) := count_of_turn (either_stays a b) wave (moved_in_two a b x e y d).
+  either_stays a b then if both (Rlt_dec (Rabs (rounded (x * y))) (1 / 2 ^ 900)) (Rlt_dec 0 (Rmin (size x e) (size y d))) then 1 / 2 ^ 1007 else 0
+    else 0).
+Definition count_of_wave (a b : kind) (x e y d f : R) := count_of_turn (either_stays a b) f (moved_in_two a b x e y d).
 (* On an axis, if both coordinates stay exact, an angle is exact. *)
-Definition on_axis (x e y d : R) : bool := if both (Req_EM_T (Rabs x + e) 0) (Rlt_dec (rounded (ROUNDING * d)) (Rabs y)) then true else false.
-Definition count_of_angle (a b : kind) (y d x e : R) := if (stays_exact a && stays_exact b && (on_axis x e y d || on_axis y d x e))%bool then 0 else
-  enclosed_angle_float64.angle_error x e y d.
+Definition on_axis (x e y d : R) := both (Req_EM_T (Rabs x + e) 0) (Rlt_dec (rounded (ROUNDING * d)) (Rabs y)).
+Definition count_of_angle (a b : kind) (y d x e : R) := if (stays_exact a && stays_exact b && if either (on_axis x e y d) (on_axis y d x e) then true
+  else
+  false)%bool then 0 else enclosed_angle_float64.angle_error x e y d.
 Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := match o, given with | Constant _ count _, [] => count | Negative,
   [(_, (_, e))] | Size, [(_, (_, e))] => e | Sum, [(a, (x, e)); (b, (y, d))] => count_of_sum a b x e y d | Difference, [(a, (x, e)); (b, (y, d))]
   => count_of_sum a b x e (- y) d | Product, [(a, (x, e)); (b, (y, d))] => count_of_product a b x e y d | Quotient, [(a, (x, e)); (_, (y, d))] =>
@@ -115,8 +118,10 @@ Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, g
   Product, [(a, (x, e)); (b, (y, d))] => e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ scale_allowed a x e d /\ scale_allowed b y d e | Quotient, [_; (_, (y, d))]
   => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488 | Root, [(_, (x, _))] => x >= 0 | Floor,
   [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(a, (x, e)); (b, (y, d))] | Cosine, [(a, (x, e)); (b, (y, d))] => turn_allowed a
-  b x e y d | Angle, [(a, (y, _)); (b, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 /\ (is_free a && is_free b = true -> 0 <= x \/ y <> 0) | Exponential, [(a, (x, e))] => is_free a = false /\ x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
-  x >= 1 \/ x = 0) | Logarithm, [(a, (x, e))] => is_free a = false /\ x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(a, (x, e)); (b,
+  b x e y d | Angle, [(a, (y, _)); (b, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 /\ (is_free a && is_free b = true -> 0 <= x \/ y <> 0) | Exponential, [(a,
+    (x, e))] => is_free a = false /\ x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
+  x >= 1 \/ x = 0) | Logarithm, [(a, (x, e))] => is_free a = false /\ x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(a, (x, e));
+    (b,
   (y, d))] => is_free a = false /\ (is_free b = true -> d = 0) /\ power_allowed x e y d | _, _ => False end.
 Lemma encloses_weaker s t n x : s <= t -> encloses s n x -> encloses t n x.
 Proof. intros L (V & C & P & D). repeat split; try assumption. at_most_by D. apply Rmult_le_compat_r; lra. Qed.
@@ -172,7 +177,8 @@ Proof.
 Qed.
 Lemma is_zero x e x' : encloses s (x, e) x' -> Rabs x + e = 0 -> x = 0 /\ e = 0 /\ x' = 0.
 Proof.
-  intros X Z. assert (e = 0 /\ x = 0) as [-> ->]; [destruct X as (_ & _ & P & _); cbn [snd] in P; generalize (Rabs_pos x) (Rabs_eq_0 x); lra |]. rewrite <-
+  intros X Z. assert (e = 0 /\ x = 0) as [-> ->]; [destruct X as (_ & _ & P & _); cbn [snd] in P; generalize (Rabs_pos x) (Rabs_eq_0 x); lra |].
+    rewrite <-
     (same _ _ _ X). auto.
 Qed.
 Lemma is_exact_zero a x e x' : encloses s (x, e) x' -> exact_zero a x e = true -> x = 0 /\ e = 0 /\ x' = 0.
@@ -239,13 +245,15 @@ Qed.
 (* Coq's root and power of what is negative are 0, as of the nearest number that is not. *)
 Lemma nearest_above x e x' : x >= 0 -> encloses s (x, e) x' -> encloses s (x, e) (Rmax 0 x').
 Proof.
-  intros X0 (X & E & P & D). cbn [fst snd] in *. repeat split; try assumption. eapply Rle_trans; [|exact D]. cbn [fst snd]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs.
+  intros X0 (X & E & P & D). cbn [fst snd] in *. repeat split; try assumption. eapply Rle_trans; [|exact D]. cbn [fst snd]. unfold Rmax. destruct
+    Rle_dec; [apply Rle_refl|]. unfold Rabs.
     repeat destruct Rcase_abs; lra.
 Qed.
 Lemma root_rule x e x' :  encloses s (x, e) x' -> x >= 0 -> encloses (s * (1 + 1 / 2 ^ 49))
   (enclosed_root_float64.root x, enclosed_root_float64.root_error x e) (sqrt x').
 Proof.
-  intros X X0. destruct (nearest_above x e x' X0 X) as (_ & E & P & D). assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
+  intros X X0. destruct (nearest_above x e x' X0 X) as (_ & E & P & D). assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec;
+    [reflexivity | rewrite sqrt_0; apply
     sqrt_neg; lra]).
   rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply X |
     apply Rle_ge, Rmax_l].
@@ -256,26 +264,32 @@ Lemma wave_rule a b x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y'
   (enclosed_cosine_float64.cosine x y) (cos (PI * (x' * y'))).
 Proof.
   intros X Y (L & _ & U & N & Z). pose proof proj1 X as Fx. pose proof proj1 Y as Fy. assert (product_moves x e y
-    d <= moved_in_two a b x e y d) by (apply round_ge_generic; [typeclasses eauto..| apply rounded_is_float64 | destruct (either_stays a b); [destruct (both _ _)|]; lra]).
+    d <= moved_in_two a b x e y d) by (apply round_ge_generic; [typeclasses eauto..| apply rounded_is_float64 | destruct (either_stays a b);
+      [destruct (both _ _)|]; lra]).
   assert (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x * y = x' * y').
-  { intro E. destruct (Z E) as [G|G]; [left; exact G | right]. destruct G as [[? ?] | [[? ?] | [? ?]]]; subst; try apply same in X; try apply same in Y;
+  { intro E. destruct (Z E) as [G|G]; [left; exact G | right]. destruct G as [[? ?] | [[? ?] | [? ?]]]; subst; try apply same in X; try apply same in
+    Y;
     subst; ring. }
   split; (split; [apply sine_result || apply cosine_result|]); [of_half_turns (either_stays a b) sine_rule @proj1 s x e x' y d y' | of_half_turns
     (either_stays a b) cosine_rule @proj2 s x e x' y d y'].
 Qed.
 
-Lemma axis_rule x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y' -> on_axis x e y d = true -> x = 0 /\ x' = 0 /\ 0 < y * y'.
+Lemma axis_rule x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y' -> Rabs x + e = 0 /\ rounded (ROUNDING * d) < Rabs y -> x = 0 /\ x' = 0
+  /\ 0 <
+  y * y'.
 Proof.
-  intros X (Y & _ & P & D) A. unfold on_axis in A. destruct both as [[Z L]|]; [|discriminate]. destruct (is_zero x e x' X Z) as (-> & _ & ->). cbn [fst snd]
-    in *. rewrite <- (kept (Rabs y)) in L by (apply generic_format_abs; assumption). apply rounded_below in L. destruct (bound_of s d S1 S2 P) as [B _].
-  assert (N : Rabs (y - y') < Rabs y) by in_units. repeat split. revert N. unfold Rabs. repeat destruct Rcase_abs; nra.
+  intros X (Y & _ & P & D) [Z L]. destruct (is_zero x e x' X Z) as (-> & _ & ->). cbn [fst snd] in *. rewrite <- (kept (Rabs y)) in L by is_float64.
+    apply
+    rounded_below in L. destruct (bound_of s d S1 S2 P) as [B _]. assert (N : Rabs (y - y') < Rabs y) by in_units. repeat split. revert N. unfold
+      Rabs.
+    repeat destruct Rcase_abs; nra.
 Qed.
 Lemma angle_rule a b y d y' x e x' : encloses s (y, d) y' -> encloses s (x, e) x' -> x ^ 2 + y ^ 2 >= / 1024 -> encloses (s * (1 + 1 / 2 ^ 49))
   (enclosed_angle_float64.angle x y, count_of_angle a b y d x e) (atan2pi y' x').
 Proof.
   intros Y X N. unfold count_of_angle. destruct (_ && _)%bool eqn:Q.
-  - apply andb_prop in Q as [_ Q]. rewrite <- (on_an_axis y x y' x'); [apply exactly_encloses, angle_is_float64|]. apply orb_prop in Q as [Q|Q]; [right |
-    left]; eapply axis_rule; eassumption.
+  - apply andb_prop in Q as [_ Q]. destruct (either _ _) as [H|]; [|discriminate]. rewrite <- (on_an_axis y x y' x'); [apply exactly_encloses,
+      angle_is_float64|]. destruct H; [right | left]; eapply axis_rule; eassumption.
   - opened. split; [apply angle_is_float64 | apply (enclosing_rules__angle s x e x' y d y'); assumption].
 Qed.
 

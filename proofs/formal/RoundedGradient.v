@@ -189,7 +189,8 @@ Proof.
   destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. both_ways C. both_ways W.
   assert (cos (PI * w) > 7/10) by interval. rewrite !sign_eq_1; lra.
 Qed.
-Lemma signs_of_waves : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))) /\ sign (cosine_of_half_turns_float64.cosine p e) = sign (cos (PI
+Lemma signs_of_waves : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))) /\ sign (cosine_of_half_turns_float64.cosine p e) =
+  sign (cos (PI
   * (a * b))).
 Proof.
   replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> ->].
