@@ -4,7 +4,7 @@ From Coq Require Import Reals Lra ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedAngle EnclosingRules EnclosingBounds.
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding RoundedFunctions RoundedAngle EnclosingRules EnclosingBounds.
 Open Scope R_scope.
 
 (* The angle of a point is where its direction lies, on the side that its coordinates say. *)
@@ -80,4 +80,16 @@ Proof.
   rounds k (across / d). rounds t' (k * (731105545250889 / 2251799813685248)). rounds t (t' * SLACK).
   apply moved_and_own with (atan2pi y x); try assumption; [lra | is_float64 |]. apply Rle_trans with (3184 / 10000 * (1013 / 1000 * (across / d) + 2 ^
     13 * underflow)); [apply V; try assumption; in_units | in_units].
+Qed.
+(* On an axis it is exact, and the angle the same of all points of a side. *)
+Lemma on_an_axis y x y' x' : y = 0 /\ y' = 0 /\ 0 < x * x' \/ x = 0 /\ x' = 0 /\ 0 < y * y' -> angle_in_half_turns_float64.angle y x = atan2pi y' x'.
+Proof.
+  intro H. unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant. rewrite
+    no_octant by (generalize (Rabs_pos x) (Rabs_pos y); destruct H as [(-> & _) | (-> & _)]; rewrite Rabs_R0; intros; apply Rmin_right || apply
+      Rmin_left;
+    assumption).
+  pose proof kept _ half_is_float64 as K. pose proof PI_neq0. unfold atan2pi, atan2. destruct H as [(-> & -> & P) | (-> & -> & P)]; try replace (0 /
+    x') with 0 by (unfold Rdiv; ring); rewrite ?atan_0;
+    unfold Rabs; repeat (destruct Rcase_abs || destruct Rlt_dec || destruct Rle_dec); try (exfalso; nra); rewrite ?Rminus_0_r, ?K, ?rounded_1; field;
+      assumption.
 Qed.

@@ -5,6 +5,8 @@ From Flocq Require Import Core Mult_error.
 From Formal Require Import Float Float64 EnclosingRules.
 Open Scope R_scope.
 
+(* That a number of the machine encloses an exact one; s is the slack of the counts, which each operation adds to. *)
+Definition encloses (s : R) (n : R * R) (x : R) := float64 (fst n) /\ float64 (snd n) /\ 0 <= snd n /\ Rabs (fst n - x) <= s * (snd n / 2 ^ 53).
 Definition least := 1 / 2 ^ 1060.
 Lemma least_is : least = underflow * 2 ^ 14.
 Proof. rewrite underflow_times. apply inverse_power. Qed.
@@ -41,3 +43,5 @@ Proof.
   apply made_a_count; try assumption. multiplied (Rabs f) K. generalize (Rabs_pos f) (Rabs_triang (f - e) (e - t)) (Rabs_triang_inv e f). rewrite
     (Rabs_minus_sym e f). replace (f - e + (e - t)) with (f - t) by ring. in_units.
 Qed.
+Lemma same s x x' : encloses s (x, 0) x' -> x = x'.
+Proof. intros (_ & _ & _ & D). cbn [fst snd] in D. apply Rabs_le_inv in D. lra. Qed.

@@ -9,40 +9,66 @@ From Formal Require Import Float Float64 RoundedHalfTurns Rounding RoundedGradie
 Open Scope R_scope.
 Import ListNotations.
 
-(* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. *)
+(* Sine and cosine of half-turns: the slope is at most pi, and they move by 2 at most. Where a factor stays exact, the rounding of a 0 counts 0. *)
+Definition product_moves x ex y ey := rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey)) * ex)).
+Definition count_of_turn (stays : bool) f m := let moved := rounded (7074237752028453 / 2251799813685248 * rounded (ROUNDING * m)) in let own :=
+  rounded
+  (rounded (5674535530486825 / 10141204801825835211973625643008 * Rabs f) + least) in rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved
+    2
+  then moved else 2) + if stays then if Req_EM_T f 0 then 0 else own else own) * SLACK)).
 Section half_turns.
 Variables (wave wave_slope : R -> R) (computed_wave : R).
 Hypothesis wave_derivative : forall x, is_derive wave x (wave_slope x).
 Hypothesis wave_steep : forall x, -1 <= wave_slope x <= 1.
 Hypothesis wave_range : forall x, -1 <= wave x <= 1.
-Lemma half_turns_rule s x ex x' y ey y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> float64 y -> 0 <= ex -> Rabs (x - x') <= s * (ex / 2 ^ 53) -> 0 <= ey
-  -> Rabs (y - y') <= s * (ey / 2 ^ 53) -> ex <= 2 ^ 60 -> near_relative (19/4) computed_wave (wave (PI * (x * y))) -> let moved := rounded
-  (7074237752028453 / 2251799813685248 * rounded (ROUNDING * rounded (rounded (Rabs x * ey) + rounded (rounded (Rabs y + rounded (ROUNDING * ey))
-  * ex)))) in let c := rounded (9007199254740992 * rounded (rounded ((if Rlt_dec moved 2 then moved else 2) + rounded (rounded (5674535530486825 /
-  10141204801825835211973625643008 * Rabs computed_wave) + least)) * SLACK)) in float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' *
-  y'))) <= s * (1 + 1 / 2 ^ 49) * (c / 2 ^ 53).
+Lemma half_turns_rule stays m s x ex x' y ey y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, ex) x' -> encloses s (y, ey) y' -> ex <= 2 ^ 60 ->
+  let e
+  := wave (PI * (x * y)) in near_relative (19/4) computed_wave e -> sign computed_wave = sign e -> product_moves x ex y ey <= m -> (stays = true -> 1
+    / 2
+  ^ 900 <= m \/ x * y = x' * y') -> let c := count_of_turn stays computed_wave m in float64 c /\ 0 <= c /\ Rabs (computed_wave - wave (PI * (x' *
+    y'))) <= s * (1
+  + 1 / 2 ^ 49) * (c / 2 ^ 53).
 Proof.
-  intros S1 S2 Y Px Dx Py Dy L Near moved. destruct (product_moved s x ex x' y ey y') as [M0 M]; try assumption. unfold moved. set (m := rounded
-    (rounded (_ * ey) + _)) in *.
-  destruct (bound_of s m S1 S2 M0) as [B _]. pose proof proj1 underflow_in_least as T.
-  counts b (ROUNDING * m). set (h := 7074237752028453 / 2251799813685248) in *. assert (0 <= h) by (unfold h; lra). counts t (h * b).
+  intros S1 S2 (_ & _ & Px & Dx) (Y & _ & Py & Dy) L e Near Side Lm Z. cbn [fst snd] in *. destruct (product_moved s x ex x' y ey y') as [M0 M]; try
+    assumption. fold (product_moves x ex y ey) in
+    *. set (m0 := product_moves _ _ _ _) in *. assert (s * m0 <= s * m) by (apply Rmult_le_compat_l; lra).
+  destruct (bound_of s m S1 S2 ltac:(lra)) as [B _]. pose proof proj1 underflow_in_least as T. pose proof underflow_is_small as W. assert (0 <= m) by
+    lra.
+  unfold count_of_turn. counts b (ROUNDING * m). set (h := 7074237752028453 / 2251799813685248) in *. assert (0 <= h) by (unfold h; lra). counts t (h
+    * b).
   assert (Q : PI <= h * (1 - 2 * unit53)) by (unfold h, unit53; interval with (i_prec 100)).
-  assert (D : Rabs (wave (PI * (x * y)) - wave (PI * (x' * y'))) <= t + 2 ^ 12 * underflow).
+  set (e' := wave (PI * (x' * y'))). assert (D : Rabs (e - e') <= t + 2 ^ 12 * underflow).
   { eapply Rle_trans; [exact (moved_by_at_most wave wave_slope 1 _ _ wave_derivative (fun x => Rabs_le _ _ (wave_steep x)))|]. rewrite <-
     Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI), Rmult_1_l by (generalize PI_RGT_0; lra).
     apply Rle_trans with (h * (1 - 2 * unit53) * (b + 2 ^ 10 * underflow)); [|unfold h in *; in_units].
     apply Rmult_le_compat; [generalize PI_RGT_0; lra | apply Rabs_pos | exact Q |]. in_units. }
-  apply moved_and_own with (wave (PI * (x * y))); [exact S1 | lra | destruct Rlt_dec; [is_float64 | exact two_is_float64] | destruct Rlt_dec; lra | |].
-  - at_most_by Near. generalize (Rabs_pos (wave (PI * (x * y)))). unfold underflow in *. lra.
-  - destruct Rlt_dec; [lra|]. generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))). intros. apply Rabs_le. lra.
+  assert (D' : Rabs (e - e') <= 2) by (generalize (wave_range (PI * (x * y))) (wave_range (PI * (x' * y'))); intros; apply Rabs_le; unfold e, e';
+    lra).
+  set (v := if Rlt_dec t 2 then t else 2). assert (float64 v) by (unfold v; destruct Rlt_dec; [is_float64 | exact two_is_float64]). assert (V : 0 <=
+    v /\
+    Rabs (e - e') <= v + 2 ^ 12 * underflow) by (unfold v; destruct Rlt_dec; lra).
+  pose proof moved_and_own s (5674535530486825 / 10141204801825835211973625643008) v computed_wave e e' S1 ltac:(lra) ltac:(assumption) ltac:(lra)
+    ltac:(at_most_by Near; generalize (Rabs_pos e); unfold underflow in *; lra) ltac:(lra) as Most. destruct stays; [|exact Most]. destruct Req_EM_T
+      as
+    [F|_]; [|exact Most]. rewrite F, sign_0 in *. destruct (Req_dec e 0) as [E|E]; [|destruct (sign_neq_0 e E (eq_sym Side))]. destruct (Z eq_refl) as
+    [G|G].
+  - assert (underflow * 2 ^ 174 <= m) by (rewrite underflow_times; rewrite inverse_power in G; exact G). apply (made_a_count s v 0 (0 - e')); try
+    apply generic_format_0; try lra; [assumption|].
+    rewrite <- E. assert (underflow * 2 ^ 100 <= v) by (unfold v; destruct Rlt_dec; unfold h in *; in_units). in_units.
+  - unfold e'. rewrite <- G. fold e. rewrite E, Rminus_eq_0, Rabs_R0. split; [is_float64 | split; is_not_negative].
 Qed.
 End half_turns.
-Ltac of_half_turns f g part := red; intros; eapply (half_turns_rule f g); try eassumption; [| | | eapply part; apply
-  elementary_functions__of_product_relative; try assumption; apply not_tiny; assumption].
+Lemma slope_of_cosine x : -1 <= - sin x <= 1.
+Proof. generalize (SIN_bound x). lra. Qed.
+Definition sine_rule f := half_turns_rule sin cos f is_derive_sin COS_bound SIN_bound.
+Definition cosine_rule f := half_turns_rule cos (fun x => - sin x) f is_derive_cos slope_of_cosine COS_bound.
+Ltac of_half_turns stays rule part s x ex x' y ey y' := eapply (rule _ stays _ s x ex x' y ey y'); try assumption; try (repeat split; assumption);
+  [eapply part, (elementary_functions__of_product_relative x y) |
+  eapply part, (signs_of_waves x y) | ..]; try apply not_tiny; try assumption.
 Theorem enclosing_rules__sine : Statements.enclosing_rules__sine.
-Proof. of_half_turns sin cos @proj1. exact is_derive_sin. exact COS_bound. exact SIN_bound. Qed.
+Proof. red. intros. of_half_turns false sine_rule @proj1 slack x x_error x_exact y y_error y_exact; [apply Rle_refl | discriminate]. Qed.
 Theorem enclosing_rules__cosine : Statements.enclosing_rules__cosine.
-Proof. of_half_turns cos (fun x => - sin x) @proj2. exact is_derive_cos. intro t. generalize (SIN_bound t). lra. exact COS_bound. Qed.
+Proof. red. intros. of_half_turns false cosine_rule @proj2 slack x x_error x_exact y y_error y_exact; [apply Rle_refl | discriminate]. Qed.
 
 (* A function that rises or falls lies between its values at the ends of what its argument can be. *)
 Definition reach x e := rounded (rounded (rounded (ROUNDING * e) + rounded (1 / 4503599627370496 * Rabs x)) * SLACK).

@@ -3,7 +3,8 @@
 From Coq Require Import Reals Lra Lia ZArith List Bool.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Mult_error Pff2Flocq.
-From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingFunctions EnclosingAngle EnclosingLogarithm
+From Formal Require Import Preliminaries Float Float64 RoundedHalfTurns Rounding EnclosingRules EnclosingBounds EnclosingFunctions EnclosingAngle
+  EnclosingLogarithm
   EnclosingPower.
 Open Scope R_scope.
 Import ListNotations.
@@ -54,6 +55,7 @@ Definition kind_of (o : operation) (given : list kind) : kind :=
     let scaled k c := (0 <=? k)%Z && is_free c in
     Run (stays_exact a || stays_exact b) match scale_of a, scale_of b with Some k, _ => scaled k b | _, Some k => scaled k a | _, _ => false end
   | Quotient, [a; _] | Root, [a] => Run (stays_exact a) false
+  | Angle, [a; b] => Run (stays_exact a && stays_exact b && negb (is_free a && is_free b)) false
   | Floor, [a] | Nearest, [a] => Run true (is_free a)
   | Choose _, a :: b :: compared => Run (stays_exact a && stays_exact b) (forallb is_free given)
   | _, _ => Run false false
@@ -82,22 +84,32 @@ Definition count_of_scaled (a : kind) (k : Z) (x e : R) := rounded (rounded (bpo
   if Rle_dec (Rabs (rounded (x * bpow radix2 k))) (bpow radix2 (-1022)) then 1 / 2 ^ 1007 else 0 else 1 / 2 ^ 1007).
 Definition count_of_product (a b : kind) (x e y d : R) := if (exact_zero a x e || exact_zero b y d)%bool then 0 else match scale_of a, scale_of b
   with | Some k, _ => count_of_scaled b k y d | _, Some k => count_of_scaled a k x e | _, _ => enclosed_product_float64.product_error x e y d end.
+(* What a product in two parts is moved by: of a factor that stays exact the second part counts what underflows, unless a factor is an exact 0. *)
+Definition either_stays (a b : kind) := (stays_exact a || stays_exact b)%bool.
+Definition moved_in_two (a b : kind) (x e y d : R) := let size x e := rounded (Rabs x + rounded (ROUNDING * e)) in rounded (product_moves x e y d + if
+  either_stays a b then if both (Rlt_dec (Rabs (rounded (x * y))) (1 / 2 ^ 900)) (Rlt_dec 0 (Rmin (size x e) (size y d))) then 1 / 2 ^ 1007 else 0
+    else 0).
+Definition count_of_wave (a b : kind) (x e y d f : R) := count_of_turn (either_stays a b) f (moved_in_two a b x e y d).
+(* On an axis, if both coordinates stay exact, an angle is exact. *)
+Definition on_axis (x e y d : R) := both (Req_EM_T (Rabs x + e) 0) (Rlt_dec (rounded (ROUNDING * d)) (Rabs y)).
+Definition count_of_angle (a b : kind) (y d x e : R) := if (stays_exact a && stays_exact b && if either (on_axis x e y d) (on_axis y d x e) then true
+  else
+  false)%bool then 0 else enclosed_angle_float64.angle_error x e y d.
 Definition counted_roundings (o : operation) (given : list (kind * (R * R))) := match o, given with | Constant _ count _, [] => count | Negative,
   [(_, (_, e))] | Size, [(_, (_, e))] => e | Sum, [(a, (x, e)); (b, (y, d))] => count_of_sum a b x e y d | Difference, [(a, (x, e)); (b, (y, d))]
   => count_of_sum a b x e (- y) d | Product, [(a, (x, e)); (b, (y, d))] => count_of_product a b x e y d | Quotient, [(a, (x, e)); (_, (y, d))] =>
   if exact_zero a x e then 0 else enclosed_quotient_float64.quotient_error x e y d | Root, [(_, (x, e))] => enclosed_root_float64.root_error x e |
   Floor, [(_, (x, e))] => enclosed_floor_float64.below_error x e | Nearest, [(_, (x, e))] => enclosed_nearest_float64.nearest_error x e | Sine,
-  [(_, (x, e)); (_, (y, d))] => enclosed_sine_float64.sine_error x e y d | Cosine, [(_, (x, e)); (_, (y, d))] =>
-  enclosed_cosine_float64.cosine_error x e y d | Angle, [(_, (y, d)); (_, (x, e))] => enclosed_angle_float64.angle_error x e y d | Exponential,
+  [(a, (x, e)); (b, (y, d))] => count_of_wave a b x e y d (enclosed_sine_float64.sine x y) | Cosine, [(a, (x, e)); (b, (y, d))] =>
+  count_of_wave a b x e y d (enclosed_cosine_float64.cosine x y) | Angle, [(a, (y, d)); (b, (x, e))] => count_of_angle a b y d x e | Exponential,
   [(_, (x, e))] => enclosed_exponential_float64.exponential_error x e | Logarithm, [(_, (x, e))] => enclosed_logarithm_float64.logarithm_error x e | Raised,
-  [(_, (x, e)); (_, (y, d))] => enclosed_power_float64.raised_error x e y d
+  [(_, (x, e)); (b, (y, d))] => count_of_power (is_free b) x e y d
   | Choose c, (_, (x, e)) :: (_, (y, d)) :: compared => if leaves_open c (map snd compared) then open_count x e y d else if holds c (map fst (map
   snd compared)) then e else d | _, _ => 0 end.
 
-(* That a number of the machine encloses an exact one; s is the slack of the counts, which each operation adds to. *)
-Definition encloses (s : R) (n : R * R) (x : R) := float64 (fst n) /\ float64 (snd n) /\ 0 <= snd n /\ Rabs (fst n - x) <= s * (snd n / 2 ^ 53).
 (* What a rule asks: of what the machine computed, and of nothing else. *)
-Definition turn_allowed (x e y d : R) := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y = 0).
+Definition turn_allowed (a b : kind) (x e y d : R) := e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ Rabs (x * y) <= 2 ^ 21 /\ (10 ^ 285 * Rabs (x * y) >= 1 \/ x * y =
+  0) /\ (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x = 0 /\ e = 0 \/ y = 0 /\ d = 0 \/ e = 0 /\ d = 0).
 (* A literal power of two is one, and below 1 no count is so small that it vanishes. *)
 Definition scale_allowed (a : kind) (x e d : R) := match scale_of a with Some k => Rabs x = bpow radix2 k /\ e = 0 /\ ((0 <= k)%Z \/ d = 0 \/ 1 /
   2 ^ 1007 <= bpow radix2 k * d) | None => True end.
@@ -105,11 +117,12 @@ Definition allowed (o : operation) (given : list (kind * (R * R))) := match o, g
   | Constant value count meant, [] => encloses 1 (value, count) meant | Negative, [_] | Size, [_] | Sum, [_; _] | Difference, [_; _] => True |
   Product, [(a, (x, e)); (b, (y, d))] => e <= 2 ^ 60 /\ d <= 2 ^ 60 /\ scale_allowed a x e d /\ scale_allowed b y d e | Quotient, [_; (_, (y, d))]
   => Rabs y <= 2 ^ 960 /\ Rabs y - (1 / 9007199254740992) * d * (/ 524288 + 1) >= / 576460752303423488 | Root, [(_, (x, _))] => x >= 0 | Floor,
-  [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(_, (x, e)); (_, (y, d))] | Cosine, [(_, (x, e)); (_, (y, d))] => turn_allowed x
-  e y d | Angle, [(_, (y, _)); (_, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 | Exponential, [(_, (x, e))] => x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
-  x >= 1 \/ x = 0) | Logarithm, [(_, (x, e))] => x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(_, (x, e)); (_, (y, d))] => x >= 0 /\ y *
-  (x + e / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + e) >= 1 \/ x + e = 0) /\ 1024 * y >= 1 /\ y <= 524288 /\ d <= 2251799813685248 * y
-  | _, _ => False end.
+  [(_, (_, e))] | Nearest, [(_, (_, e))] => e <= 2 ^ 60 | Sine, [(a, (x, e)); (b, (y, d))] | Cosine, [(a, (x, e)); (b, (y, d))] => turn_allowed a
+  b x e y d | Angle, [(a, (y, _)); (b, (x, _))] => x ^ 2 + y ^ 2 >= / 1024 /\ (is_free a && is_free b = true -> 0 <= x \/ y <> 0) | Exponential, [(a,
+    (x, e))] => is_free a = false /\ x <= 704 /\ e <= 2 ^ 55 /\ (10 ^ 285 * Rabs
+  x >= 1 \/ x = 0) | Logarithm, [(a, (x, e))] => is_free a = false /\ x <= 2 ^ 1000 /\ e <= 2 ^ 52 * x /\ 10 ^ 285 * x >= 1 | Raised, [(a, (x, e));
+    (b,
+  (y, d))] => is_free a = false /\ (is_free b = true -> d = 0) /\ power_allowed x e y d | _, _ => False end.
 Lemma encloses_weaker s t n x : s <= t -> encloses s n x -> encloses t n x.
 Proof. intros L (V & C & P & D). repeat split; try assumption. at_most_by D. apply Rmult_le_compat_r; lra. Qed.
 Lemma not_more s n x : 1 <= s -> encloses s n x -> encloses (s * (1 + 1 / 2 ^ 49)) n x.
@@ -135,9 +148,9 @@ Qed.
 Lemma exponential_is_float64 p q : float64 (exponential_of_sum_float64.exponential p q).
 Proof. unfold exponential_of_sum_float64.exponential. chosen_is_float64. Qed.
 
-Lemma zero_encloses s : encloses s (0, 0) 0.
-Proof. split; [apply generic_format_0 | split; [apply generic_format_0 | cbn; rewrite Rminus_eq_0, Rabs_R0; lra]]. Qed.
-Ltac opened := repeat match goal with X : encloses _ _ _ |- _ => destruct X | X : turn_allowed _ _ _ _ |- _ => destruct X | X : _ /\ _ |- _ =>
+Lemma exactly_encloses s v : float64 v -> encloses s (v, 0) v.
+Proof. intro. split; [assumption | split; [apply generic_format_0 | cbn; rewrite Rminus_eq_0, Rabs_R0; lra]]. Qed.
+Ltac opened := repeat match goal with X : encloses _ _ _ |- _ => destruct X | X : _ /\ _ |- _ =>
   destruct X end.
 Section rules.
 Variable s : R.
@@ -162,13 +175,14 @@ Proof.
   intros X Y. unfold count_of_sum. destruct (_ || _)%bool; [apply found_sum_rule; assumption|]. opened. split; [apply rounded_is_float64 | apply
     (enclosing_rules__sum s x e x' y d y'); assumption].
 Qed.
-Lemma is_exact_zero a x e x' : encloses s (x, e) x' -> exact_zero a x e = true -> x = 0 /\ e = 0 /\ x' = 0.
+Lemma is_zero x e x' : encloses s (x, e) x' -> Rabs x + e = 0 -> x = 0 /\ e = 0 /\ x' = 0.
 Proof.
-  intros (X & E & P & D) Z. cbn [fst snd] in *. unfold exact_zero in Z. destruct Req_EM_T as [N|]; [clear Z|discriminate]. pose proof Rabs_pos x as A.
-    assert (e = 0) by lra. assert (Q : Rabs x = 0) by lra.
-  apply Rabs_eq_0 in Q. subst. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r, Rminus_0_l, Rabs_Ropp in D. generalize (Rabs_pos x') (Rabs_eq_0 x').
-    intros. repeat split. lra.
+  intros X Z. assert (e = 0 /\ x = 0) as [-> ->]; [destruct X as (_ & _ & P & _); cbn [snd] in P; generalize (Rabs_pos x) (Rabs_eq_0 x); lra |].
+    rewrite <-
+    (same _ _ _ X). auto.
 Qed.
+Lemma is_exact_zero a x e x' : encloses s (x, e) x' -> exact_zero a x e = true -> x = 0 /\ e = 0 /\ x' = 0.
+Proof. unfold exact_zero. destruct Req_EM_T; [intros; apply is_zero; assumption | discriminate]. Qed.
 Lemma scaled_by_power a k x e x' : let q := bpow radix2 k in  encloses s (x, e) x' -> (0 <= k)%Z \/ e = 0 \/ 1 / 2
   ^ 1007 <= q * e ->
   encloses (s * (1 + 1 / 2 ^ 49)) (rounded (x * q), count_of_scaled a k x e) (x' * q).
@@ -221,26 +235,62 @@ Lemma product_rule a b x e x' y d y' :  encloses s (x, e) x' -> encloses s (y, d
 Proof.
   intros X Y U V A B. unfold count_of_product, scale_allowed, enclosed_product_float64.product in *. destruct (exact_zero a x e) eqn:Zx;
     [|destruct (exact_zero b y d) eqn:Zy; cbn [orb]].
-  1: destruct (is_exact_zero a x e x' X Zx) as (-> & _ & ->); rewrite !Rmult_0_l, rounded_0; apply zero_encloses.
-  1: destruct (is_exact_zero b y d y' Y Zy) as (-> & _ & ->); rewrite !Rmult_0_r, rounded_0; apply zero_encloses.
-  assert (Same : forall x x', encloses s (x, 0) x' -> x = x').
-  { intros z z' (_ & _ & _ & D). cbn [fst snd] in D. unfold Rdiv in D. rewrite Rmult_0_l, Rmult_0_r in D. generalize (Rabs_pos (z - z')) (Rabs_eq_0
-    (z - z')). intros. lra. }
+  1: destruct (is_exact_zero a x e x' X Zx) as (-> & _ & ->); rewrite !Rmult_0_l, rounded_0; apply exactly_encloses, generic_format_0.
+  1: destruct (is_exact_zero b y d y' Y Zy) as (-> & _ & ->); rewrite !Rmult_0_r, rounded_0; apply exactly_encloses, generic_format_0.
   destruct (scale_of a) as [k|]; [|destruct (scale_of b) as [k|]].
-  - destruct A as (A & -> & W). rewrite <- (Same _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
-  - destruct B as (B & -> & W). rewrite <- (Same _ _ Y). apply scaled_rule; assumption.
+  - destruct A as (A & -> & W). rewrite <- (same _ _ _ X), (Rmult_comm x y), (Rmult_comm x y'). apply scaled_rule; assumption.
+  - destruct B as (B & -> & W). rewrite <- (same _ _ _ Y). apply scaled_rule; assumption.
   - opened. split; [apply rounded_is_float64 | apply (enclosing_rules__product s x e x' y d y'); assumption].
 Qed.
 (* Coq's root and power of what is negative are 0, as of the nearest number that is not. *)
-Lemma nearest_above x e x' : x >= 0 -> Rabs (x - x') <= s * (e / 2 ^ 53) -> Rabs (x - Rmax 0 x') <= s * (e / 2 ^ 53).
-Proof. intros X0 D. eapply Rle_trans; [|exact D]. unfold Rmax. destruct Rle_dec; [apply Rle_refl|]. unfold Rabs. repeat destruct Rcase_abs; lra. Qed.
+Lemma nearest_above x e x' : x >= 0 -> encloses s (x, e) x' -> encloses s (x, e) (Rmax 0 x').
+Proof.
+  intros X0 (X & E & P & D). cbn [fst snd] in *. repeat split; try assumption. eapply Rle_trans; [|exact D]. cbn [fst snd]. unfold Rmax. destruct
+    Rle_dec; [apply Rle_refl|]. unfold Rabs.
+    repeat destruct Rcase_abs; lra.
+Qed.
 Lemma root_rule x e x' :  encloses s (x, e) x' -> x >= 0 -> encloses (s * (1 + 1 / 2 ^ 49))
   (enclosed_root_float64.root x, enclosed_root_float64.root_error x e) (sqrt x').
 Proof.
-  intros (X & E & P & D) X0. assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec; [reflexivity | rewrite sqrt_0; apply
+  intros X X0. destruct (nearest_above x e x' X0 X) as (_ & E & P & D). assert (Q : sqrt x' = sqrt (Rmax 0 x')) by (unfold Rmax; destruct Rle_dec;
+    [reflexivity | rewrite sqrt_0; apply
     sqrt_neg; lra]).
-  rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply nearest_above; assumption |
+  rewrite Q. split; [apply rounded_is_float64|]. apply (enclosing_rules__root s x e (Rmax 0 x')); try assumption; [apply X |
     apply Rle_ge, Rmax_l].
+Qed.
+
+Lemma wave_rule a b x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y' -> turn_allowed a b x e y d -> let enclosed f := encloses (s * (1 + 1
+  / 2 ^ 49)) (f, count_of_wave a b x e y d f) in enclosed (enclosed_sine_float64.sine x y) (sin (PI * (x' * y'))) /\ enclosed
+  (enclosed_cosine_float64.cosine x y) (cos (PI * (x' * y'))).
+Proof.
+  intros X Y (L & _ & U & N & Z). pose proof proj1 X as Fx. pose proof proj1 Y as Fy. assert (product_moves x e y
+    d <= moved_in_two a b x e y d) by (apply round_ge_generic; [typeclasses eauto..| apply rounded_is_float64 | destruct (either_stays a b);
+      [destruct (both _ _)|]; lra]).
+  assert (either_stays a b = true -> 1 / 2 ^ 900 <= moved_in_two a b x e y d \/ x * y = x' * y').
+  { intro E. destruct (Z E) as [G|G]; [left; exact G | right]. destruct G as [[? ?] | [[? ?] | [? ?]]]; subst; try apply same in X; try apply same in
+    Y;
+    subst; ring. }
+  split; (split; [apply sine_result || apply cosine_result|]); [of_half_turns (either_stays a b) sine_rule @proj1 s x e x' y d y' | of_half_turns
+    (either_stays a b) cosine_rule @proj2 s x e x' y d y'].
+Qed.
+
+Lemma axis_rule x e x' y d y' : encloses s (x, e) x' -> encloses s (y, d) y' -> Rabs x + e = 0 /\ rounded (ROUNDING * d) < Rabs y -> x = 0 /\ x' = 0
+  /\ 0 <
+  y * y'.
+Proof.
+  intros X (Y & _ & P & D) [Z L]. destruct (is_zero x e x' X Z) as (-> & _ & ->). cbn [fst snd] in *. rewrite <- (kept (Rabs y)) in L by is_float64.
+    apply
+    rounded_below in L. destruct (bound_of s d S1 S2 P) as [B _]. assert (N : Rabs (y - y') < Rabs y) by in_units. repeat split. revert N. unfold
+      Rabs.
+    repeat destruct Rcase_abs; nra.
+Qed.
+Lemma angle_rule a b y d y' x e x' : encloses s (y, d) y' -> encloses s (x, e) x' -> x ^ 2 + y ^ 2 >= / 1024 -> encloses (s * (1 + 1 / 2 ^ 49))
+  (enclosed_angle_float64.angle x y, count_of_angle a b y d x e) (atan2pi y' x').
+Proof.
+  intros Y X N. unfold count_of_angle. destruct (_ && _)%bool eqn:Q.
+  - apply andb_prop in Q as [_ Q]. destruct (either _ _) as [H|]; [|discriminate]. rewrite <- (on_an_axis y x y' x'); [apply exactly_encloses,
+      angle_is_float64|]. destruct H; [right | left]; eapply axis_rule; eassumption.
+  - opened. split; [apply angle_is_float64 | apply (enclosing_rules__angle s x e x' y d y'); assumption].
 Qed.
 
 (* By a theorem about the parts of what is given. *)
@@ -251,7 +301,7 @@ Proof.
   intros A H. destruct o; (destruct A as [|[a [x ex]] x1 given exact X A]; [try (exfalso; exact H)|
     try (destruct A as [|[b [y ey]] y1 given exact Y A]; [try (exfalso; exact H) | destruct A; try (exfalso; exact H)])]).
   all: cbn [in_float64 counted_roundings exactly map fst snd allowed] in *.
-  - split; [exact (whole_is_float64 m e (proj1 H) (proj2 H)) | split; [apply generic_format_0 | cbn [fst snd]; rewrite Rminus_eq_0, Rabs_R0; lra]].
+  - apply exactly_encloses, whole_is_float64; apply H.
   - apply encloses_weaker with (2 := H). nra.
   - exact (not_more _ _ _ S1 (encloses_opposite _ _ _ _ X)).
   - destruct X as (X & Ex & Px & Dx). apply not_more; [exact S1|]. split; [apply generic_format_abs, X | split; [exact Ex | split; [exact Px|]]].
@@ -261,20 +311,17 @@ Proof.
   - destruct H as (? & ? & ? & ?). apply product_rule; assumption.
   - destruct H. destruct (exact_zero a x ex) eqn:Z. + destruct (is_exact_zero a x ex x1 X Z) as (-> & _ & ->). unfold
     enclosed_quotient_float64.quotient, Rdiv. rewrite !Rmult_0_l, rounded_0.
-      apply zero_encloses.
+      apply exactly_encloses, generic_format_0.
     + by_rule (enclosing_rules__quotient s x ex x1 y ey y1) ltac:(apply rounded_is_float64).
   - exact (root_rule x ex x1 X H).
   - by_rule (enclosing_rules__floor s x ex x1) ltac:(apply (whole_part_is_float64 Zfloor); [apply valid_rnd_DN | assumption]).
   - by_rule (enclosing_rules__nearest s x ex x1) ltac:(apply whole_part_is_float64; [apply valid_rnd_N | assumption]).
-  - by_rule (enclosing_rules__sine s x ex x1 y ey y1) ltac:(apply
-      sine_result).
-  - by_rule (enclosing_rules__cosine s x ex x1 y ey y1) ltac:(apply
-      cosine_result).
-  - by_rule (enclosing_rules__angle s y ey y1 x ex x1) ltac:(apply angle_is_float64).
+  - apply wave_rule; assumption.
+  - apply wave_rule; assumption.
+  - apply angle_rule; apply H || assumption.
   - by_rule (enclosing_rules__exponential s x ex x1) ltac:(apply exponential_is_float64).
   - by_rule (enclosing_rules__logarithm s x ex x1) ltac:(apply logarithm_is_float64).
-  - assert (Q : power x1 y1 = power (Rmax 0 x1) y1) by (unfold power, Rmax; destruct Rle_dec; repeat destruct Rlt_dec; lra). rewrite Q. opened. split;
-      [apply power_is_float64|]. apply (enclosing_rules__power s x ex (Rmax 0 x1) y ey y1); try assumption; [apply nearest_above; assumption | apply Rle_ge,
-      Rmax_l].
+  - assert (Q : power x1 y1 = power (Rmax 0 x1) y1) by (unfold power, Rmax; destruct Rle_dec; repeat destruct Rlt_dec; lra). rewrite Q. eapply proj2,
+      (power_rule (is_free b)); try apply H; try assumption; [apply nearest_above; [apply H | exact X] | apply Rle_ge, Rmax_l].
 Qed.
 End rules.

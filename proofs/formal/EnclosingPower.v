@@ -78,23 +78,33 @@ Proof.
     Rlt_dec; exact IH.
 Qed.
 Definition raised_at x y := (raised_float64.power x y, power x y).
-(* What is printed, by these names. *)
-Lemma power_count x ex y ey : let x1 := rounded (x - reach x ex) in let x2 := rounded (x + reach x ex) in let y1 := rounded (y - reach y ey) in let y2 :=
-  rounded (y + reach y ey) in let V := if Rlt_dec 0 x2 then 1 / 2 ^ 1020 else 0 in enclosed_power_float64.raised_error x ex y ey = rounded
+(* What is printed, by these names; of a free exponent, which is exact, there is one end. *)
+Definition count_of_power (free : bool) x ex y ey := let x1 := rounded (x - reach x ex) in let x2 := rounded (x + reach x ex) in let r := if free
+  then 0
+  else reach y ey in let y1 := rounded (y - r) in let y2 := rounded (y + r) in let V := if Rlt_dec 0 x2 then 1 / 2 ^ 1020 else 0 in rounded
   (9007199254740992 * rounded (rounded ((if Rbar_lt_dec (Finite (rounded (rounded (ROUNDING * ex) + rounded (ROUNDING * ey)))) p_infty then furthest
   (raised_float64.power x y) charged V [raised_at x1 y1; raised_at x1 y2; raised_at x2 y1; raised_at x2 y2] else real p_infty) + charge charged V
   (raised_float64.power x y)) * SLACK)).
-Proof. reflexivity. Qed.
-Theorem enclosing_rules__power : Statements.enclosing_rules__power.
+Definition power_allowed (x ex y ey : R) := x >= 0 /\ y * (x + ex / 4503599627370496 - 1) <= 32 /\ (10 ^ 285 * Rabs (x + ex) >= 1 \/ x + ex = 0) /\
+  1024 *
+  y >= 1 /\ y <= 524288 /\ ey <= 2251799813685248 * y.
+Lemma power_rule free s x ex x' y ey y' : 1 <= s -> s <= 1 + 3 / 2 ^ 22 -> encloses s (x, ex) x' -> encloses s (y, ey) y' -> power_allowed x ex y ey
+  -> x'
+  >= 0 -> (free = true -> ey = 0) -> y' > 0 /\ encloses (s * (1 + 1 / 2 ^ 49)) (raised_float64.power x y, count_of_power free x ex y ey) (power x'
+    y').
 Proof.
-  intros s x ex x' y ey y' S1 S2 X Ex Px Dx Y Ey Py Dy X0 X0' H N L U M. rewrite power_count. destruct Rbar_lt_dec as [_|I']; [|destruct (I' I)]. change
-    (enclosed_power_float64.raised x y) with (raised_float64.power x y). pose proof proj1 underflow_in_least as T. pose proof underflow_is_small as W.
+  intros S1 S2 (X & Ex & Px & Dx) (Y & Ey & Py & Dy) (X0 & H & N & L & U & M) X0' F. cbn [fst snd] in *. unfold count_of_power. destruct Rbar_lt_dec
+    as [_|I']; [|destruct (I' I)]. pose proof proj1
+    underflow_in_least as T. pose proof underflow_is_small as W.
   destruct (reached s x ex S1 S2 Px) as [Rx Mx]. destruct (reached s y ey S1 S2 Py) as [Ry My]. specialize (Rx x' Dx). specialize (Ry y' Dy). assert
-    (P : 0 <= y) by lra. rewrite (Rabs_pos_eq y) in * by exact P.
-  pose proof counted (y + reach y ey) ltac:(in_units) as Cy. pose proof counted (y - reach y ey) ltac:(in_units) as By. set (y1 := rounded (y - reach y
-    ey)) in *. set (y2 := rounded (y + reach y ey)) in *.
-  assert (Y1 : / 2048 <= y1) by in_units. assert (Y2 : y2 <= 126/100 * y) by in_units. assert (By' : y1 <= y' <= y2) by lra. split; [exact X0' | split;
-    [lra|]].
+    (P : 0 <= y) by lra. rewrite
+    (Rabs_pos_eq y) in * by exact P.
+  set (r := if free then 0 else reach y ey). assert (By' : rounded (y - r) <= y' <= rounded (y + r) /\ 0 <= r <= reach y ey).
+  { unfold r. destruct free; [|in_units]. specialize (F eq_refl). subst ey. rewrite Rminus_0_r, Rplus_0_r, kept by assumption. both_ways Dy. lra. }
+  pose proof counted (y + r) ltac:(in_units) as Cy. pose proof counted (y - r) ltac:(in_units) as By. set (y1 := rounded (y - r)) in *. set (y2 :=
+    rounded (y + r)) in *.
+  assert (Y1 : / 2048 <= y1) by in_units. assert (Y2 : y2 <= 126/100 * y) by in_units. destruct By' as [By' _]. split; [lra | split;
+    [apply power_is_float64|]]. cbn [fst snd].
   destruct (not_tiny _ N) as [Z|G].
     { assert (x = 0) by lra. assert (ex = 0) by lra. subst x ex. both_ways Dx. assert (x' = 0) by lra. subst x'. assert (Q : reach 0 0 = 0) by (unfold
     reach; rewrite
@@ -124,4 +134,9 @@ Proof.
   - destruct (proj1 (power_between x1 y1 y' y2 By')); pose proof power_rises x1 x' y' ltac:(lra) ltac:(lra); [left | right; left]; cbn [raised_at snd]; lra.
   - destruct (proj2 (power_between x2 y1 y' y2 By')); pose proof power_rises x' x2 y' ltac:(lra) ltac:(lra); [right; right; left | right; right; right;
       left]; cbn [raised_at snd]; lra.
+Qed.
+Theorem enclosing_rules__power : Statements.enclosing_rules__power.
+Proof.
+  red. intros. destruct (power_rule false slack x x_error x_exact y y_error y_exact) as (P & _ & Q); repeat split; assumption || discriminate ||
+    apply Q.
 Qed.

@@ -2,7 +2,7 @@
 
 From Coq Require Import Reals Lra List Bool.
 From Flocq Require Import Core.
-From Formal Require Import Preliminaries Float Float64 Programs RoundedHalfTurns Rounding EnclosingRules EnclosingOperations.
+From Formal Require Import Preliminaries Float Float64 Programs RoundedHalfTurns Rounding EnclosingRules EnclosingBounds EnclosingOperations.
 Open Scope R_scope.
 Import ListNotations.
 
@@ -94,7 +94,7 @@ Proof.
       snd] in *.
     split; [exact Fx | split; [exact Fy | exact (proj1 (enclosing_rules__quotient s v e (snd x) w d (snd y) S1 S2 X E P D Y G Q M U L))]].
   - destruct exact as [|x [|y exact]]; try exact F. inversion A as [|[a [v e]] x' g1 r1 X A1]; subst. inversion A1; subst. destruct X as (X & E & P &
-      D), H as (U & L & T).
+      D), H as (_ & U & L & T).
     inversion F as [|? ? Fx _]; subst. cbn [fst snd] in *. split; [exact Fx|]. apply Rabs_le_inv in D. assert (0 < v) by lra.
     assert (s * e <= s * (2 ^ 52 * v)) by (apply Rmult_le_compat_l; lra). assert (s * v <= (1 + 3 / 2 ^ 22) * v) by (apply Rmult_le_compat_r; lra).
       lra.
@@ -146,7 +146,7 @@ Proof.
 Qed.
 
 Lemma exactly_known a v : float64 v -> known_encloses 1 (True, (a, (v, 0))) (True, v).
-Proof. intros F _. repeat split; cbn; [exact F | apply generic_format_0 | lra | rewrite Rminus_eq_0, Rabs_R0; lra]. Qed.
+Proof. intros F _. exact (conj I (exactly_encloses 1 v F)). Qed.
 Ltac each_input := repeat apply Forall2_cons; try apply Forall2_nil.
 Ltac run_shown := cbn -[too_near Rlt_dec IZR pow]; unfold value_of; cbn [fst snd].
 Lemma exactly_apart a b : too_near (a, 0) (b, 0) = false.

@@ -246,14 +246,19 @@ Theorem elementary_functions__atan2pi y x : float64 y -> float64 x -> bpow radix
   (angle_in_half_turns_float64.angle y x - atan2pi y x) <= 5/2 * (1 / 2 ^ 53).
 Proof. apply angle_near. Qed.
 (* of the origin it is 0. *)
+Lemma no_octant y x : Rmin (Rabs x) (Rabs y) = 0 -> angle_in_half_turns_float64.first_octant y x = 0.
+Proof.
+  intro Z. unfold angle_in_half_turns_float64.first_octant, angle_in_half_turns_float64.small_part.
+  (* its polynomial is left as it is: written out, it takes long *)
+  set (tail := angle_in_half_turns_float64.arctangent_tail y x). clearbody tail. angle_in_half_turns_float64.lines. rewrite Z. pose proof
+    Rle_trans _ _ _ (Rabs_pos x) (Rmax_l (Rabs x) (Rabs y)) as L. set (l := Rmax _ _) in *.
+  pose proof not_negative_rounded (5 / 16 * l) ltac:(lra). pose proof not_negative_rounded (3 / 4 * l) ltac:(lra). repeat destruct Rlt_dec; try lra;
+    unfold Rdiv; repeat progress rewrite ?Rmult_0_r, ?Rmult_0_l, ?Rminus_0_r, ?Rplus_0_l, ?rounded_0; reflexivity.
+Qed.
 Theorem elementary_functions__origin : angle_in_half_turns_float64.angle 0 0 = 0.
 Proof.
-  unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant,
-    angle_in_half_turns_float64.first_octant, angle_in_half_turns_float64.small_part.
-  (* its polynomial is left as it is: written out, it takes long *)
-  set (tail := angle_in_half_turns_float64.arctangent_tail 0 0). clearbody tail. angle_in_half_turns_float64.lines.
-  rewrite Rabs_R0, Rmax_left, Rmin_left, !Rmult_0_r, rounded_0 by lra. repeat destruct Rlt_dec; try lra.
-  rewrite !Rmult_0_l, !rounded_0, !Rplus_0_l, !rounded_0. reflexivity.
+  unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant. rewrite no_octant by
+    (rewrite Rabs_R0; apply Rmin_left, Rle_refl). repeat destruct Rlt_dec; lra.
 Qed.
 Theorem elementary_functions__atan2pi__point : exists y x, float64 y /\ float64 x /\ bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
 Proof.

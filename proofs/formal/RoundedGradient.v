@@ -189,10 +189,12 @@ Proof.
   destruct remainder_near as [_ W]. destruct polynomials_near as [_ C]. both_ways C. both_ways W.
   assert (cos (PI * w) > 7/10) by interval. rewrite !sign_eq_1; lra.
 Qed.
-Lemma side : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
+Lemma signs_of_waves : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))) /\ sign (cosine_of_half_turns_float64.cosine p e) =
+  sign (cos (PI
+  * (a * b))).
 Proof.
-  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> _].
-  destruct (sine_printed p e product_is_float64) as [-> _]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact
+  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> ->].
+  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact
     sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
 Qed.
 End product.
@@ -201,7 +203,7 @@ Definition carried (a b : R) := float64 a /\ float64 b /\ (a * b = 0 \/ bpow rad
 Lemma factors_near a b : carried a b -> let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in Rabs
   (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a
   * b))) <= 3289/1000 / 2 ^ 53 /\ sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
-Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (side a b A B U L))). Qed.
+Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (proj1 (signs_of_waves a b A B U L)))). Qed.
 
 Lemma slope_near k c s ch sh : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 -> Rabs
   (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).

@@ -45,10 +45,17 @@ LIMITS = (
     r"of a power $2^{-10} \le y \le 2^{19}$ and a count of at most $2^{51} y$; where $x$ has the count $n$, "
     r"$y(x + n/2^{52} - 1) \le 32$, and $x + n$ is 0 or at least $10^{-285}$; a power of 0 is 0, and in float64 one "
     r"below $2^{-1020}$ may be",
+    r"of a sine and a cosine of which a factor stays exact, one factor is an exact 0, or both are exact, or what moves "
+    r"the product counts at least $2^{-900}$; of an angle of two numbers without a count $y \ne 0$ or $x \ge 0$; in "
+    "programs an exponential, a logarithm and the base of a power are of numbers with a count",
     "of a program all this of what its result needs: not of a side that a selection leaves out for certain",
     r"a literal has 53 bits, from $2^{-1074}$ on; below $2^{-1022}$ a rounding counts $2^{-1007}$; a count is made "
     r"a bound by $1048577/9444732965739290427392 = 2^{-53} + 2^{-73}$; $2^{10} = 1024$, $2^{19} = 524288$, $2^{53} = "
     r"9007199254740992$, $2^{59} = 576460752303423488$",
+    r"counts take $7074237752028453/2251799813685248$ for $\pi(1 + 2^{-49})$, $562949953421313/562949953421312 = 1 + "
+    r"2^{-49}$ for a bound's roundings, and for a function's own of a sine and a cosine "
+    r"$5674535530486825/10141204801825835211973625643008$ of it and $2^{-1060}$, of a power 3 roundings, or below "
+    r"$2^{-72}$ $6209337986237071/281474976710656$, and $2^{-1020}$",
 )
 
 theorem = Theorem(
@@ -63,8 +70,10 @@ theorem = Theorem(
         small by $2^{-49}$ of it at most, and $2^{28}$ of them, one after the other, by less than
         $3\cdot2^{-22}$.""": _rules,
         r"""So of every program of at most $2^{28}$ such operations, with selections by any condition: whatever float64
-        computes is within the bound that the machine counts with it, and no divisor that this needs is 0.""": coq(
-            "enclosing_rules__whole_programs 1916a0f7fdc8c7d4"
+        computes is within the bound that the machine counts with it, and no divisor that this needs is 0. The machine
+        finds numbers that stay exact: it counts 0 for a product with an exact 0, for an angle on an axis, and for the
+        rounding of a sine or cosine that is 0; to a power with an exact exponent, one end of that.""": coq(
+            "enclosing_rules__whole_programs ae1941201d5c1543"
         ),
     },
     hypotheses=LIMITS,
