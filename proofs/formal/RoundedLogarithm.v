@@ -36,8 +36,6 @@ Proof.
       unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
   - rewrite E. field. lra.
 Qed.
-Lemma bounded_product a b A B : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
-Proof. intros. rewrite Rabs_mult. factors; assumption. Qed.
 (* A sum of two needs no such number. *)
 Lemma sum_within f g X : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
 Proof.
