@@ -51,28 +51,23 @@ Proof.
   set (o := raised_float64.product_near x p). set (g := raised_float64.product_near_rest x p). assert (Og : o + g = u + v).
   { rewrite <- (sum_in_two u v (Fl _) (Fl _)); [unfold g, raised_float64.product_near_rest; fold v; rewrite (Rplus_comm v); reflexivity|]. rewrite Hw,
     Hq, !Rabs_mult. destruct S as [-> | S]; [left; ring | right; apply Rmult_le_compat_l; [apply Rabs_pos | exact S]]. }
-  assert (Bqw : Rabs (q + w) <= 1002/1000 * Y).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
-    r - y) y). unfold Y. lra. }
-  assert (Bq' : Rabs q <= 11/10 * Y) by (unfold Y; lra). assert (Bw : Rabs w <= 22/10 * Y) by (replace w with (q + w - q) by ring; at_most_by
-    Rabs_triang; rewrite Rabs_Ropp; lra).
+  pose proof Rle_refl (Rabs y) as By1. assert (Bqw : Rabs (q + w) <= 1002/1000 * Y) by (unfold Y; by_sides).
+  assert (Bw : Rabs w <= 22/10 * Y) by (unfold Y; by_sides). assert (Bv : Rabs q <= 11/10 * Y) by (unfold Y; lra). clear By1.
   assert (Bb : Rabs b <= 10001/10000 * p) by (rewrite Rabs_pos_eq; by_sides). assert (Bu : Rabs (v + u) <= 1003/1000 * z).
-  { rewrite Hq, Hw, <- Rmult_plus_distr_l. eapply Rle_trans; [exact (bounded_product _ _ _ _ Bb Bqw) | unfold z in *; lra]. }
+  { rewrite Hq, Hw, <- Rmult_plus_distr_l. generalize (bounded_product _ _ _ _ Bb Bqw). unfold z in *. lra. }
   set (c := raised_float64.b_low p). assert (Ec : Rabs (c - (p - b)) <= / 2 ^ 77 * p).
   { destruct (relative 53 p (p - b) c eq_refl ltac:(lra) eq_refl) as (d1 & t1 & D1 & T1 & ->). simpl bpow in D1. replace (_ - (p - b)) with ((p - b) *
     d1 + t1 * p) by ring. at_most_by Rabs_triang.
     generalize (bounded_product _ _ _ _ Eb D1) (bounded_product _ _ _ _ T1 Pp). lra. }
   assert (Any : forall f X, Rabs f <= X -> Rabs (rounded f - f) <= / 2 ^ 53 * X + / 2 ^ 100 * z).
-  { intros f X B. assert (T : bpow radix2 (-1074) <= / 2 ^ 100 * negligible) by (replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); unfold
-    negligible; rewrite <- bpow_plus; apply bpow_le; easy). generalize (one_rounding f). lra. }
+  { intros f X B. generalize (one_rounding f) underflow_is_negligible. lra. }
   assert (Bc : Rabs c <= / 2 ^ 24 * p) by (generalize (size _ _ _ _ Eb Ec); lra).
-  assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bq') | unfold z in *; lra]). assert (Bcw :
-    Rabs (c * w) <= 3 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bw) | unfold z in *; lra]).
-  assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (141/100000 * Y) Pp); unfold Y; lra | unfold z
-    in *; lra]).
-  assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Ec Bqw) | unfold z in *; lra]).
-  assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (191/10000 / 2 ^ 53 * Y) Pp);
-    unfold Y; lra | unfold z in *; lra]).
+  assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (generalize (bounded_product _ _ _ _ Bc Bv); unfold z in *; lra). assert (Bcw :
+    Rabs (c * w) <= 3 / 2 ^ 24 * z) by (generalize (bounded_product _ _ _ _ Bc Bw); unfold z in *; lra).
+  assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (generalize (bounded_product _ r _ (141/100000 * Y) Pp ltac:(unfold Y; lra)); unfold z; lra).
+  assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (generalize (bounded_product _ _ _ _ Ec Bqw); unfold z in *; lra).
+  assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (generalize (bounded_product _ (w + q + r - y) _ (191/10000 / 2 ^ 53 * Y) Pp
+    ltac:(unfold Y; lra)); unfold z; lra).
   pose proof Any _ _ Bcq as E3. pose proof Any _ _ Bcw as E4. pose proof Any _ _ Bpr as E5. pose proof sum_within v u _ (Fl _) (Fl _) Bu as Eo. change
     (rounded (v + u)) with o in Eo.
   set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p).
