@@ -45,13 +45,14 @@ Ltac float_is := first [apply rounded_is_float64 | apply generic_format_opp, rou
 Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in
   pose proof sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption) as E; change (rounded (f + g)) with s in E.
 (* The part of 26 digits, which is split off by a multiplication. *)
-Lemma high_part x : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
-  ZnearestE x.
+Lemma high_part x : float64 x -> let h := rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) in h = round radix2 (FLT_exp (-1074)
+  26) ZnearestE x /\ generic_format radix2 (FLT_exp (-1074) 26) h.
 Proof.
-  intro F. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl as H.
+  intros F h. assert (G : Prec_gt_0 26) by easy. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl as H.
   change (round radix2 (FLT_exp (-1074) 53) ZnearestE) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H
     by (simpl; lra).
-  rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. exact H.
+  rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. rewrite (H : h = _).
+  split; [reflexivity | apply generic_format_round; typeclasses eauto].
 Qed.
 (* Its product with a number of 27 digits is exact. *)
 Lemma short_product h k e : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/ bpow
@@ -193,7 +194,7 @@ Proof.
   destruct (rounded_sum m d Fm Fd) as (u & Bu & Es). fold S in Es.
   set (J := natural_logarithm_float64.inverse x). relatively u1 t1 F1 (1 / rounded S) J. rewrite Es in F1.
   set (a := natural_logarithm_float64.a x). relatively u2 t2 F2 (natural_logarithm_float64.above_node x * J) a. rewrite A, qS in F2.
-  destruct (relative 26 b a h eq_refl b0 (high_part a (rounded_is_float64 _))) as (u3 & t3 & D3 & T3 & F3).
+  destruct (high_part a (rounded_is_float64 _)) as [Hh Fh]. destruct (relative 26 b a h eq_refl b0 Hh) as (u3 & t3 & D3 & T3 & F3).
   set (f := (h - q) / b). assert (Hf : h = b * (c + f)) by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold f; field; lra).
   assert (Bf : Rabs f <= 101/100 / 2 ^ 26).
   { replace f with (c * ((1 + u1) / (1 + u) * (1 + u2) * (1 + u3) - 1) + c * S * b * t1 * (1 + u2) * (1 + u3) + t2 * (1 + u3) + t3).
@@ -210,8 +211,6 @@ Proof.
         Rmult_0_r, !rounded_0, Rminus_0_r, !rounded_0, Rminus_0_r. apply rounded_0.
     - right. rewrite qS, Rabs_mult, (Rabs_pos_eq S) in Z by lra. generalize (Rabs_triang_inv q h). rewrite (Rabs_minus_sym q h). simpl bpow in *.
       unfold b in Eh. assert (X : Rabs q * S <= Rabs q * (27/10)) by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]). intro. lra. }
-  assert (G : Prec_gt_0 26) by easy. assert (Fh : generic_format radix2 (FLT_exp (-1074) 26) h) by (rewrite (high_part a (rounded_is_float64 _) : h =
-    _); apply generic_format_round; typeclasses eauto).
   refine (conj Fh (conj h0 (conj Eh _))). set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728))
     <= 1001/1000 / 2 ^ 26).
   { assert (B : Rabs (m + 134217728) <= 134217730) by (apply Rabs_le; lra). eapply Rle_trans; [exact (rounded_error _ _ B) | lra]. }

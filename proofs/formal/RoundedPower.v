@@ -30,10 +30,9 @@ Proof.
   assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply
     Rmult_le_compat_r; lra]).
   assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). pose proof rounded_is_float64 as Fl.
-  set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite
-    (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
+  set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. destruct (high_part p Fp : b = _ /\ generic_format _ _ b) as [Hb Fb].
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
-  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 +
+  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact Hb |]. simpl bpow in D1. replace (p - _) with (- (d1 +
     t1) * p) by ring. apply at_the_scale_of; [lra | interval]. }
   assert (b0 : / 4096 <= b) by (both_ways Eb; lra).
   assert (Long : forall f, f = 0 \/ bpow radix2 (-70) <= Rabs f -> b * f = 0 \/ bpow radix2 (-1022) <= Rabs (b * f)).
@@ -100,8 +99,8 @@ Proof.
   { assert (B : Rabs d <= 20 / 2 ^ 53) by lra. clearbody d. clear - B. both_ways B. interval with (i_taylor d, i_degree 4, i_prec 200). }
   set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring;
     at_most_by Rabs_triang; lra).
-  assert (K' : v * k <= 1001/1000 * v) by (apply Rle_trans with (v * (1001/1000)); [apply Rmult_le_compat_l; [lra | generalize (Rle_abs (k - 1));
-    lra] | lra]).
+  assert (K' : v * k <= 1001/1000 * v) by (rewrite Rmult_comm; apply Rmult_le_compat_r; [lra | generalize (Rle_abs (k - 1));
+    lra]).
   replace (f - v) with (f - v * k + v * (k - 1)) by ring. at_most_by Rabs_triang. rewrite (Rabs_mult v), (Rabs_pos_eq v) by lra.
   generalize (Rmult_le_compat_l v _ _ (Rlt_le _ _ V) K). assert (0 <= v * Rabs s) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). nra.
 Qed.
