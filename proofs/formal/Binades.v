@@ -26,17 +26,6 @@ Proof.
     nearest_whole. do 3 f_equal.
   rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r. apply Rmult_1_r.
 Qed.
-Lemma multiple_in_binade k u : (-1022 <= k)%Z -> float64 u -> bpow radix2 k <= u < bpow radix2 (k + 1) -> exists m : Z, u = IZR m * bpow radix2 (k
-  - 52) /\ (2 ^ 52 <= m < 2 ^ 53)%Z.
-Proof.
-  intros K F B. unfold float64, generic_format, F2R in F. rewrite (spacing k) in F by assumption. cbn [Fnum Fexp] in F. set (m := Ztrunc _) in F.
-    exists m. split; [exact F|].
-  pose proof bpow_gt_0 radix2 (k - 52) as S. replace k with (52 + (k - 52))%Z in B at 1 by ring. replace (k + 1)%Z with (53 + (k - 52))%Z in B by ring.
-    rewrite (bpow_plus _ 52), (bpow_plus _ 53) in B.
-  split; [apply le_IZR | apply lt_IZR]; change (IZR (2 ^ 52)) with (bpow radix2 52); change (IZR (2 ^ 53)) with (bpow radix2 53); nra.
-Qed.
-Lemma nearest_inside m t : Rabs t < / 2 -> nearest_whole (IZR m + t) = m.
-Proof. intro T. apply Znearest_imp. replace (IZR m + t - IZR m) with t by ring. exact T. Qed.
 Lemma nearest_tie m : nearest_whole (IZR m + / 2) = if Z.even m then m else (m + 1)%Z.
 Proof.
   unfold nearest_whole, Znearest. rewrite (Zfloor_imp m), (Zceil_imp (m + 1)) by (rewrite ?plus_IZR, ?minus_IZR, ?plus_IZR; lra). rewrite Rcompare_Eq
@@ -45,39 +34,36 @@ Qed.
 (* What a positive step of float64 is added to, or taken from, in units of the spacing s. *)
 Lemma float64_step e j : float64 e -> 0 < e -> e <= bpow radix2 j -> (-1074 <= j)%Z.
 Proof.
-  intros F P L. destruct (float64_is_whole _ F) as [n N]. pose proof bpow_gt_0 radix2 (-1074) as S. assert (0 < n)%Z by (apply lt_IZR; rewrite N
-    in P; nra).
-  apply (le_bpow radix2). eapply Rle_trans; [|exact L]. rewrite N. assert (1 <= IZR n) by (apply IZR_le; lia). nra.
+  intros F P L. apply (le_bpow radix2). eapply Rle_trans; [|exact L]. apply (generic_format_ge_bpow radix2 (FLT_exp (-1074) 53)); [|exact P | exact F].
+  intro. apply Z.le_max_r.
 Qed.
 Lemma half_spacing k : bpow radix2 (k - 53) = bpow radix2 (k - 52) / 2.
 Proof. replace (k - 52)%Z with (k - 53 + 1)%Z by ring. rewrite (bpow_plus _ _ 1). change (bpow radix2 1) with 2. field. Qed.
+Lemma power_float64 e : (-1074 <= e)%Z -> float64 (bpow radix2 e).
+Proof. intro E. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
+Ltac powers := repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros; right; reflexivity.
 (* Both sums round back to u: the whole binade dies. *)
 Lemma stays k u e : float64 u -> float64 e -> bpow radix2 k <= u < bpow radix2 (k + 1) -> 0 < e < bpow radix2 (k - 53) -> (u = bpow radix2 k -> e
   <= bpow radix2 (k - 54)) -> rounded (e + u) = u /\ rounded (u - e) = u.
 Proof.
-  intros F E B [P L] A. assert (K : (-1021 <= k)%Z) by (generalize (float64_step e (k - 53) E P (Rlt_le _ _ L)); lia).
-  destruct (multiple_in_binade k u) as (m & U & M); try assumption; [lia|]. set (s := bpow radix2 (k - 52)) in *. assert (S : 0 < s) by apply bpow_gt_0.
-  assert (H : bpow radix2 (k - 53) = s / 2) by apply half_spacing.
-  set (t := e / s). assert (T : e = t * s) by (unfold t; field; lra). assert (T2 : 0 < t < / 2) by nra. assert (M1 : IZR m + 1 <= IZR (2 ^ 53)) by
-    (rewrite <- plus_IZR; apply IZR_le; lia).
-  assert (M0 : IZR (2 ^ 52) <= IZR m) by (apply IZR_le; lia). split.
-  - rewrite T, U. replace (t * s + IZR m * s) with ((IZR m + t) * s) by ring. unfold s. rewrite rounded_in_binade by (lia || lra). rewrite
-    nearest_inside by (rewrite Rabs_pos_eq; lra). reflexivity.
-  - destruct (Z.eq_dec m (2 ^ 52)) as [->|N].
-    + assert (U' : u = bpow radix2 k) by (rewrite U; change (IZR (2 ^ 52)) with (bpow radix2 52); unfold s; rewrite <- bpow_plus; f_equal; ring).
-      specialize (A U').
-      assert (K' : (-1020 <= k)%Z) by (generalize (float64_step e (k - 54) E P A); lia).
-      assert (Q : bpow radix2 (k - 54) = s / 4) by (unfold s; replace (k - 52)%Z with (k - 54 + 2)%Z by ring; rewrite (bpow_plus _ _ 2); change (bpow
-        radix2 2) with 4; field).
-      assert (Tie : rounded (u - s / 4) = u).
-      { replace (u - s / 4) with ((IZR (2 ^ 53 - 1) + / 2) * bpow radix2 (k - 1 - 52)).
-        - rewrite rounded_in_binade, nearest_tie, U' by (lia || simpl; lra). match goal with |- ?x * _ = _ => change x with (bpow radix2 53) end.
-          rewrite <- bpow_plus. f_equal. ring.
-        - rewrite U. replace (k - 1 - 52)%Z with (k - 53)%Z by ring. rewrite H. simpl. lra. }
-      apply Rle_antisym; [rewrite <- (kept u F) at 2 | rewrite <- Tie at 1]; apply round_le; try typeclasses eauto; lra.
-    + rewrite T, U. replace (IZR m * s - t * s) with ((IZR m + - t) * s) by ring. assert (IZR (2 ^ 52) + 1 <= IZR m) by (rewrite <- plus_IZR; apply
-      IZR_le; lia).
-      unfold s. rewrite rounded_in_binade by (lia || lra). rewrite nearest_inside by (rewrite Rabs_Ropp, Rabs_pos_eq; lra). reflexivity.
+  intros F E B [P L] A. assert (K : (-1021 <= k)%Z) by (generalize (float64_step e (k - 53) E P (Rlt_le _ _ L)); lia). rewrite half_spacing in L.
+  pose proof bpow_gt_0 radix2 k as k0. assert (U : forall x, bpow radix2 k <= x < bpow radix2 (k + 1) -> ulp radix2 (FLT_exp (-1074) 53) x = bpow radix2
+    (k - 52)) by (intros; rewrite ulp_neq_0, (spacing k) by (lia || lra); reflexivity).
+  split; apply Rle_antisym.
+  - apply round_N_le_midp; [typeclasses eauto | exact F |]. rewrite succ_eq_pos, U by lra. lra.
+  - apply round_ge_generic; [typeclasses eauto.. | exact F | lra].
+  - apply round_le_generic; [typeclasses eauto.. | exact F | lra].
+  - destruct (proj1 B) as [Q | Q].
+    + apply round_N_ge_midp; [typeclasses eauto | exact F |]. assert (float64 (bpow radix2 k)) by (apply power_float64; lia).
+      assert (bpow radix2 k <= pred radix2 (FLT_exp (-1074) 53) u < u) by (split; [apply pred_ge_gt | apply pred_lt_id]; try assumption; lra || typeclasses
+        eauto).
+      pose proof pred_plus_ulp radix2 (FLT_exp (-1074) 53) u ltac:(lra) F as D. rewrite U in D by lra. lra.
+    + (* a tie, to the even u *)
+      assert (R : bpow radix2 k = 9007199254740992 * bpow radix2 (k - 1 - 52)) by (change 9007199254740992 with (bpow radix2 53); rewrite <- bpow_plus;
+        f_equal; ring).
+      assert (Tie : rounded ((9007199254740991 + / 2) * bpow radix2 (k - 1 - 52)) = u) by (rewrite rounded_in_binade, nearest_tie by (lia || simpl; lra);
+        rewrite <- Q, R; reflexivity).
+      rewrite <- Tie at 1. apply round_le; [typeclasses eauto.. |]. replace (k - 54)%Z with (k - 1 - 53)%Z in A by ring. rewrite half_spacing in A. lra.
 Qed.
 (* The tie, epsilon = s/2: both sums round back where the significand m is even, and both move by s where it is odd. *)
 Lemma tied k m : (-1022 <= k)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in let w := IZR m * s in let moved := if Z.even m
@@ -91,11 +77,8 @@ Proof.
 Qed.
 Lemma below_1 k m : (k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in 0 < s < IZR m * s /\ IZR m * s + s < 1.
 Proof.
-  intros K M s. assert (S : 0 < s) by apply bpow_gt_0. assert (T : s <= bpow radix2 (-53)) by (apply bpow_le; lia). assert (A : 1 < IZR m) by (apply
-    IZR_lt; lia). split; [split; nra|].
-  assert (B : IZR m + 1 < IZR (2 ^ 53)) by (rewrite <- plus_IZR; apply IZR_lt; lia). apply Rlt_le_trans with (IZR (2 ^ 53) * s); [nra|].
-  apply Rle_trans with (bpow radix2 53 * bpow radix2 (-53)); [apply Rmult_le_compat_l; [apply bpow_ge_0 | exact T] | rewrite <- bpow_plus; right;
-    reflexivity].
+  intros K M s. assert (S : 0 < s) by apply bpow_gt_0. assert (T : s <= / 9007199254740992) by (apply (bpow_le radix2 _ (-53)); lia).
+  assert (1 < IZR m < 9007199254740991) by (split; apply IZR_lt; lia). nra.
 Qed.
 
 (* The arguments, as they are printed. *)
@@ -103,30 +86,39 @@ Lemma not_wrapped x : 0 <= rounded x < 1 -> rounded (rounded x - whole_below (ro
 Proof.
   intro B. unfold whole_below. rewrite (Zfloor_imp 0) by (simpl; lra). rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
-
-Lemma arguments_in_v v e : float64 e -> rounded (e + v) <= 1 -> 0 <= rounded (v - e) -> central_any_float64.v_plus v e = rounded (e + v) /\
-  central_any_float64.v_minus v e = rounded (v - e) /\ central_any_float64.span_v v e = 2 * e.
+Lemma unwrapped u e p m : rounded (e + u) = p -> rounded (u - e) = m -> 0 <= p < 1 -> 0 <= m < 1 -> central_any_float64.u_plus u e = p /\
+  central_any_float64.u_minus u e = m.
+Proof. intros <- <- A B. split; apply not_wrapped; assumption. Qed.
+Lemma arguments_in_v v e p m : float64 e -> rounded (e + v) = p -> rounded (v - e) = m -> p <= 1 -> 0 <= m -> central_any_float64.v_plus v e = p /\
+  central_any_float64.v_minus v e = m /\ central_any_float64.span_v v e = 2 * e.
 Proof.
-  intros E A B. central_any_float64.lines. rewrite Rmin_right, Rmax_right by assumption.
-  split; [reflexivity | split; [reflexivity|]]. destruct (both _ _) as [_|N]; [apply kept, twice_float64, E|]. exfalso.
+  intros E <- <- A B. central_any_float64.lines. rewrite Rmin_right, Rmax_right by assumption.
+  do 2 (split; [reflexivity|]). destruct (both _ _) as [_|N]; [apply kept, twice_float64, E|]. exfalso.
   replace (e - v) with (- (v - e)) in N by ring. rewrite rounded_opp in N. lra.
+Qed.
+Lemma clamped_arguments v e : float64 v -> float64 e -> 0 <= v < e -> e + v <= 1 -> central_any_float64.v_plus v e = rounded (e + v) /\
+  central_any_float64.v_minus v e = 0 /\ central_any_float64.span_v v e = rounded (e + v).
+Proof.
+  intros V E B W. apply up_to_1 in W. assert (M : rounded (v - e) < 0).
+  { destruct (difference_near v e V E) as (d & D & ->). both_ways D. nra. }
+  central_any_float64.lines. rewrite Rmin_right, Rmax_left by lra. repeat split. destruct (both _ _) as [[_ N]|_].
+  - rewrite <- Ropp_minus_distr, rounded_opp in N. lra.
+  - rewrite Rminus_0_r. apply kept, rounded_is_float64.
 Qed.
 Ltac unfold_difference := unfold central_any_float64.h_u, central_any_float64.h_u_plus, central_any_float64.h_u_minus, central_any_float64.h_v,
   central_any_float64.h_v_plus, central_any_float64.h_v_minus.
+Lemma no_rise a b e : a = b -> rounded (rounded (1 / 2 * rounded (a - b)) / e) = 0 /\ rounded (rounded (a - b) / e) = 0.
+Proof. intros ->. unfold Rdiv. rewrite Rminus_diag_eq, rounded_0, Rmult_0_r, rounded_0, Rmult_0_l, rounded_0 by reflexivity. split; reflexivity. Qed.
 Lemma none_in_u height w v k_u k_v e : 0 <= w < 1 -> rounded (e + w) = w /\ rounded (w - e) = w -> central_any_float64.u_plus w e = w /\
   central_any_float64.u_minus w e = w /\ central_any_float64.h_u height w v k_u k_v e = 0.
 Proof.
-  intros B [P M]. assert (P' : central_any_float64.u_plus w e = w) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P; trivial).
-  assert (M' : central_any_float64.u_minus w e = w) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite M; trivial).
-  split; [exact P' | split; [exact M'|]]. unfold_difference.
-  rewrite P', M', Rminus_diag_eq, rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
+  intros B [P M]. destruct (unwrapped _ _ _ _ P M B B) as [P' M']. repeat split; trivial. apply no_rise. unfold_difference. rewrite P', M'. reflexivity.
 Qed.
 Lemma none_in_v height u w k_u k_v e : 0 <= w <= 1 -> float64 e -> rounded (e + w) = w /\ rounded (w - e) = w -> central_any_float64.v_plus w e =
   w /\ central_any_float64.v_minus w e = w /\ central_any_float64.span_v w e = 2 * e /\ central_any_float64.h_v height u w k_u k_v e = 0.
 Proof.
-  intros B E [P M]. destruct (arguments_in_v w e E) as (P' & M' & S'); [lra | lra|]. rewrite P in P'. rewrite M in M'.
-  repeat split; try assumption. unfold_difference.
-  rewrite P', M', Rminus_diag_eq, rounded_0 by reflexivity. unfold Rdiv. rewrite Rmult_0_l. apply rounded_0.
+  intros B E [P M]. destruct (arguments_in_v _ _ _ _ E P M) as (P' & M' & S'); try lra. repeat split; trivial. apply no_rise. unfold_difference. rewrite P',
+    M'. reflexivity.
 Qed.
 
 (* u, epsilon > 0: float64, u from 2^k up to 2^(k+1) and below 1, s = 2^(k-52). Where epsilon < s/2, and epsilon <= s/4 at u = 2^k, the
@@ -146,8 +138,6 @@ Theorem binades__dies_in_v height u v k_u k_v epsilon k : v <= 1 -> float64 v ->
 Proof. intros O F E B L A. apply none_in_v; [generalize (bpow_gt_0 radix2 k); lra | exact E | exact (stays k v epsilon F E B L A)]. Qed.
 
 (* At the tie even significands m die, too; odd ones move by s, and the slope of h = u, or h = v, which is 1, is 2 just before it dies. *)
-Lemma power_float64 e : (-1074 <= e)%Z -> float64 (bpow radix2 e).
-Proof. intro E. apply generic_format_bpow. unfold FLT_exp. lia. Qed.
 Theorem binades__tie height c k_u k_v k m : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let w := IZR m * bpow radix2 (k - 52) in let
   epsilon := bpow radix2 (k - 53) in if Z.even m then central_any_float64.h_u height w c k_u k_v epsilon = 0 /\ central_any_float64.h_v height c w
   k_u k_v epsilon = 0 else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
@@ -158,11 +148,7 @@ Proof.
   cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by
     (unfold epsilon; rewrite half_spacing; field).
   destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
-  assert (P' : central_any_float64.u_plus w epsilon = w + 2 * epsilon) by (unfold central_any_float64.u_plus; rewrite not_wrapped; rewrite P;
-    trivial; lra).
-  assert (N' : central_any_float64.u_minus w epsilon = w - 2 * epsilon) by (unfold central_any_float64.u_minus; rewrite not_wrapped; rewrite N;
-    trivial; lra).
-  destruct (arguments_in_v w epsilon F) as (P'' & N'' & S); [lra | lra|]. rewrite P in P''. rewrite N in N''.
+  destruct (unwrapped _ _ _ _ P N) as [P' N']; [lra.. |]. destruct (arguments_in_v _ _ _ _ F P N) as (P'' & N'' & S); [lra.. |].
   assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F)));
     f_equal; ring).
   assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
@@ -176,13 +162,8 @@ Theorem binades__pole height u k_u k_v epsilon : float64 epsilon -> 0 < epsilon 
   central_any_float64.v_minus 0 epsilon = 0 /\ central_any_float64.span_v 0 epsilon = epsilon /\ central_any_float64.h_v height u 0 k_u k_v
   epsilon = rounded (rounded (height u epsilon k_u k_v - height u 0 k_u k_v) / epsilon).
 Proof.
-  intros E B. assert (P : central_any_float64.v_plus 0 epsilon = epsilon) by (unfold central_any_float64.v_plus; rewrite Rplus_0_r, (kept _ E),
-    Rmin_right; lra).
-  assert (M : central_any_float64.v_minus 0 epsilon = 0) by (unfold central_any_float64.v_minus; rewrite Rminus_0_l, rounded_opp, (kept _ E),
-    Rmax_left; lra).
-  assert (S : central_any_float64.span_v 0 epsilon = epsilon).
-  { unfold central_any_float64.span_v. rewrite P, M, Rplus_0_r, Rminus_0_r, (kept _ E). destruct (both _ _) as [[]|_]; [lra | reflexivity]. }
-  repeat split; try assumption. unfold_difference. rewrite P, M, S. reflexivity.
+  intros E B. destruct (clamped_arguments 0 epsilon (generic_format_0 _ _) E) as (P & M & S); [lra.. |]. rewrite Rplus_0_r, (kept _ E) in P, S.
+  repeat split; trivial. unfold_difference. rewrite P, M, S. reflexivity.
 Qed.
 
 (* The seam u = 0 keeps half of it: u - epsilon wraps to 1, not to a number below it, and where h is the same at 1 and at 0 the slope is half of the one-sided
@@ -207,12 +188,8 @@ Proof.
     E); trivial; lra).
   assert (M : central_any_float64.u_minus 0 epsilon = 1).
   { unfold central_any_float64.u_minus. rewrite Rminus_0_l, rounded_opp, (kept _ E). unfold whole_below. rewrite (Zfloor_imp (-1)) by (simpl; lra).
-    replace (- epsilon - -1) with (bpow radix2 0 - epsilon) by (simpl; ring). apply (stays 0 (bpow radix2 0) epsilon).
-    - apply generic_format_bpow. easy.
-    - exact E.
-    - split; [lra | apply bpow_lt; easy].
-    - split; [lra|]. apply Rle_lt_trans with (bpow radix2 (-54)); [lra | apply bpow_lt; easy].
-    - intros _. apply B. }
+    replace (- epsilon - -1) with (bpow radix2 0 - epsilon) by (simpl; ring). apply (stays 0 (bpow radix2 0) epsilon); [powers | exact E | powers | | intro; apply B].
+    generalize (bpow_lt radix2 (-54) (-53) ltac:(easy)). simpl Z.sub. lra. }
   split; [exact P | split; [exact M|]]. unfold_difference. rewrite P, M, H. fold rise.
   replace (1 / 2) with (/ 2) by field. destruct R as [R|R].
   - rewrite R. unfold Rdiv. rewrite !Rmult_0_r, Rmult_0_l, !rounded_0, Rmult_0_l, rounded_0. ring.
@@ -228,14 +205,12 @@ Qed.
 Theorem binades__dies_in_u__point : exists u epsilon k, (k <= -1)%Z /\ float64 u /\ float64 epsilon /\ bpow radix2 k <= u < bpow radix2 (k + 1) /\
   0 < epsilon < bpow radix2 (k - 53) /\ (u = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
-  exists (bpow radix2 (-1)), (bpow radix2 (-55)), (-1)%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy;
-    intros; right; reflexivity.
+  exists (bpow radix2 (-1)), (bpow radix2 (-55)), (-1)%Z. powers.
 Qed.
 Theorem binades__dies_in_v__point : exists v epsilon k, v <= 1 /\ float64 v /\ float64 epsilon /\ bpow radix2 k <= v < bpow radix2 (k + 1) /\ 0 <
   epsilon < bpow radix2 (k - 53) /\ (v = bpow radix2 k -> epsilon <= bpow radix2 (k - 54)).
 Proof.
-  exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. repeat split; try (apply power_float64 || apply bpow_lt || apply bpow_gt_0); try easy; intros;
-    right; reflexivity.
+  exists (bpow radix2 0), (bpow radix2 (-54)), 0%Z. powers.
 Qed.
 Theorem binades__tie__point : exists k m : Z, (-1021 <= k <= -1)%Z /\ (2 ^ 52 < m < 2 ^ 53 - 1)%Z /\ Z.even m = true.
 Proof. exists (-1)%Z, (2 ^ 52 + 2)%Z. easy. Qed.

@@ -23,33 +23,23 @@ Proof.
 Qed.
 (* The difference of two computed heights, over 2 epsilon: two roundings, and what may underflow. *)
 Definition within_two_roundings (q D e : R) := exists t, Rabs (t - 1) <= kappa_unclamped /\ Rabs (q - D * t) <= 4 / 2 ^ 100 / e.
-Lemma divided_by_the_step x y D q e d : 0 < e <= 1 -> Rabs d <= / 2 ^ 53 -> y = D * (2 * e) * (1 + d) -> Rabs (x - y / 2) <= 2 / 2 ^ 100 -> q =
-  rounded (x / e) -> within_two_roundings q D e.
+Lemma divided_by_the_step a b x q e : float64 a -> float64 b -> 0 < e <= 1 -> Rabs (x - rounded (a - b) / 2) <= 2 / 2 ^ 100 -> q = rounded (x / e) ->
+  within_two_roundings q ((a - b) / (2 * e)) e.
 Proof.
-  intros E B Y X ->. destruct (rounded_near (x / e)) as (d2 & z & B2 & Z & ->). exists ((1 + d) * (1 + d2)).
-  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). both_ways B. both_ways B2. split.
+  intros A B E X ->. destruct (difference_near a b A B) as (d & D & Y). destruct (rounded_near (x / e)) as (d2 & z & D2 & Z & ->). exists ((1 + d) * (1
+    + d2)).
+  assert (I : 1 <= / e) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). both_ways D. both_ways D2. split.
   - apply Rabs_le. unfold kappa_unclamped. split; nra.
-  - replace (_ - _) with ((x - y / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). at_most_by Rabs_triang. unfold Rdiv at 1.
-    rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra.
-    assert (0 <= Rabs (x - y / 2) * / e) by (apply Rmult_le_pos; [apply Rabs_pos | lra]). nra.
+  - replace (_ - _) with ((x - rounded (a - b) / 2) / e * (1 + d2) + z) by (rewrite Y; field; lra). at_most_by Rabs_triang. unfold Rdiv at 1.
+    rewrite !Rabs_mult, (Rabs_pos_eq (/ e)), (Rabs_pos_eq (1 + d2)) by lra. generalize (Rmult_le_pos _ (/ e) (Rabs_pos (x - rounded (a - b) / 2))). nra.
 Qed.
-Lemma difference_near a b : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
-Proof. intros A B. exact (rounded_sum a (- b) A (generic_format_opp _ _ _ B)). Qed.
 Lemma quotient_in_u a b e : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (1 / 2 * rounded (a - b)) / e)) ((a -
   b) / (2 * e)) e.
-Proof.
-  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (1 / 2 * rounded (a - b))) (rounded (a - b)) _
-    _ _ d); try assumption; [| apply half_near, rounded_is_float64 | reflexivity].
-  rewrite H. field. lra.
-Qed.
+Proof. intros A B E. eapply divided_by_the_step; [exact A | exact B | exact E | apply half_near, rounded_is_float64 | reflexivity]. Qed.
 Lemma quotient_in_v a b e : float64 a -> float64 b -> 0 < e <= 1 -> within_two_roundings (rounded (rounded (a - b) / (2 * e))) ((a - b) / (2 * e))
   e.
 Proof.
-  intros A B E. destruct (difference_near a b A B) as (d & D & H). apply (divided_by_the_step (rounded (a - b) / 2) (rounded (a - b)) _ _ _ d);
-    try assumption.
-  - rewrite H. field. lra.
-  - rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. lra.
-  - f_equal. field. lra.
+  intros A B E. eapply divided_by_the_step; [exact A | exact B | exact E | at_most_by no_error; lra | f_equal; field; lra].
 Qed.
 (* Of a height h that is at most L steep, whose computed values a and b are within 76/10 2^-53 of h at p and m, alpha off: the difference is within
    what the arguments' rounding and the evaluation cost of the exact one. *)
@@ -89,11 +79,6 @@ Definition error_bound (L w e : R) := e ^ 2 / 6 * L ^ 3 + arguments_part L ((w +
 (* The arguments where nothing wraps or clamps. *)
 Lemma in_order w e : 0 <= e <= w -> 0 <= rounded (w - e) <= rounded (e + w).
 Proof. split; [rewrite <- rounded_0|]; apply round_le; try typeclasses eauto; lra. Qed.
-Lemma up_to_1 x : (x <= 1 -> rounded x <= 1) /\ (rounded x < 1 -> x < 1).
-Proof.
-  pose proof power_float64 0 ltac:(easy) as F. split; intro X; [apply round_le_generic; trivial; typeclasses eauto|]. apply Rnot_le_lt. intro L.
-  assert (1 <= rounded x) by (apply round_ge_generic; trivial; typeclasses eauto). lra.
-Qed.
 
 (* Nothing wraps or clamps, and nothing of k u underflows: where u and v are looked at. *)
 Definition sampled_in_u (k u e : R) := float64 u /\ float64 e /\ 0 < k /\ 0 < e <= u /\ rounded (e + u) < 1 /\ carried k (rounded (e + u)) /\
@@ -132,8 +117,8 @@ Lemma difference_in_v (height : R -> R -> R -> R -> R) (h : R -> R) (L u v k_u k
     epsilon)) / (2 * epsilon) - slope) <= epsilon ^ 2 / 6 * L ^ 3 ->
   Rabs (central_any_float64.h_v height u v k_u k_v epsilon - slope) <= error_bound L v epsilon.
 Proof.
-  intros (V & E & K & B & W & Cp & Cm) S N T. destruct (in_order v epsilon ltac:(lra)) as [M _]. destruct (arguments_in_v v epsilon E (proj1 (up_to_1
-    _) W) M) as (P' & M' & S'). destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am].
+  intros (V & E & K & B & W & Cp & Cm) S N T. destruct (in_order v epsilon ltac:(lra)) as [M _]. destruct (arguments_in_v v epsilon _ _ E eq_refl eq_refl (proj1
+    (up_to_1 _) W) M) as (P' & M' & S'). destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am].
   unfold_difference. rewrite P', M', S'. destruct (N _ Cp) as [Np Fp].
     destruct (N _ Cm) as [Nm Fm].
   refine (three_parts h L v epsilon _ _ _ _ _ _ _ _ S _ Ap Am (quotient_in_v _ _ _ Fp Fm _) Np Nm T); lra.
@@ -214,7 +199,7 @@ Proof.
   intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v
     epsilon I U)).
   - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. pose proof proj1 (up_to_1 _) W as P. destruct
-    (arguments_in_v v epsilon E P M) as (P' & M' & _).
+    (arguments_in_v v epsilon _ _ E eq_refl eq_refl P M) as (P' & M' & _).
     unfold_difference. rewrite P', M', !(ridges_height s) by assumption.
       exact (proj2 (opposite_quotients s _ _ 0 _ S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
@@ -254,15 +239,6 @@ Qed.
 
 (* At the pole v - epsilon is clamped to 0: two roundings, and that of the span; what the clamp itself costs is truncation. *)
 Definition kappa_clamped := (3 / 2 ^ 53 + (/ 2 ^ 53) ^ 2) / (1 - / 2 ^ 53).
-Lemma clamped_arguments v e : float64 v -> float64 e -> 0 <= v < e -> e + v <= 1 -> central_any_float64.v_plus v e = rounded (e + v) /\
-  central_any_float64.v_minus v e = 0 /\ central_any_float64.span_v v e = rounded (e + v).
-Proof.
-  intros V E B W. pose proof proj1 (up_to_1 _) W as P. assert (M : rounded (v - e) < 0).
-  { destruct (difference_near v e V E) as (d & D & ->). both_ways D. assert (0 < (e - v) * (1 + d)) by (apply Rmult_lt_0_compat; lra). lra. }
-  central_any_float64.lines. rewrite Rmin_right, Rmax_left by lra. repeat split.
-  destruct (both _ _) as [[_ N]|_]; [replace (e - v) with (- (v - e)) in N by ring; rewrite rounded_opp in N; lra|]. rewrite Rminus_0_r. apply kept,
-    rounded_is_float64.
-Qed.
 Definition clamped_bound (L w : R) := (16 / w + 2 * L) / 2 ^ 53 * (1 + kappa_clamped) + L * kappa_clamped.
 Definition clamped_in_v (k v e : R) := float64 v /\ float64 e /\ 0 < k /\ 0 <= v < e /\ e + v <= 1 /\ carried k (rounded (e + v)).
 Lemma zero_carried k w : carried k w -> carried k 0.
@@ -280,8 +256,7 @@ Proof.
     *. set (b := height _ 0 _ _) in *. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded
     (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
   destruct (rounded_sum e v E V) as (d3 & D3 & R3). fold w in R3.
-  assert (W0 : 0 < w) by (unfold w; lra). assert (A : Rabs (rounded w - w) <= w / 2 ^ 53) by (rewrite R3; replace (w * (1 + d3) - w) with (w * d3) by
-    ring; rewrite Rabs_mult, Rabs_pos_eq by lra; apply Rmult_le_compat_l; lra).
+  assert (W0 : 0 < w) by (unfold w; lra). pose proof proj1 (argument_near e v E V ltac:(lra)) as A. rewrite Rplus_comm in A. fold w in A.
   rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). both_ways D1. both_ways D2. both_ways D3.
   replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <=
     kappa_clamped).
@@ -319,17 +294,14 @@ Proof.
   - central_ridges.lines; central_sine.lines.
     rewrite P', M', !S'. unfold height_sine.h in *. set (x := sin _ * sin (PI * (k_v * (epsilon + v)))) in *. set (z := sin _ * sin (PI * (k_v *
       0))) in *.
-    replace (Rabs x) with (s * x) by (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). replace (Rabs z) with (s * z) by
-      (destruct G as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra). unfold Rdiv. ring.
+    assert (Y : forall t, 0 <= s * t -> Rabs t = s * t) by (destruct G as [-> | ->]; intros; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra).
+    rewrite (Y x), (Y z) by lra. unfold Rdiv. ring.
 Qed.
 
 Ltac in_figures := change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); change (bpow radix2 (-1)) with (/ 2).
 (* False variants: with an eighth of the arguments' part, where the slope dies. *)
 Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
-Proof.
-  apply (stays (-1)); [apply power_float64; easy | apply power_float64; easy | split; [right; reflexivity | apply bpow_lt; easy] | split; [apply
-    bpow_gt_0 | apply bpow_lt; easy] | intros _; right; reflexivity].
-Qed.
+Proof. apply (stays (-1)); powers. Qed.
 Lemma witness : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in sampled_in_u k w e /\ sampled_in_v k w e /\ carried k w.
 Proof.
   intros k w e. assert (F : float64 w) by (apply power_float64; easy). assert (E : float64 e) by (apply power_float64; easy).
@@ -342,10 +314,7 @@ Proof.
 Qed.
 Lemma no_slope height k_u k_v : let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in central_any_float64.h_u height w w k_u k_v e = 0 /\
   central_any_float64.h_v height w w k_u k_v e = 0.
-Proof. destruct witness as (U & (_ & E & _ & B & W & _) & _). pose proof arguments_in_v (bpow radix2 (-1)) _ E as P. unfold_difference.
-  destruct (arguments_in_u _ _ _ U) as [-> ->]. destruct step_lost as [S T]. rewrite S, T in *. destruct P as (-> & -> & _); try lra.
-  rewrite !Rminus_diag_eq, !rounded_0, Rmult_0_r, rounded_0 by reflexivity. unfold Rdiv. rewrite !Rmult_0_l. split; apply rounded_0.
-Qed.
+Proof. split; [apply none_in_u | apply none_in_v]; (exact step_lost || apply witness || in_figures; lra). Qed.
 Lemma eighth_of_arguments : let L := PI * (201 / 2) in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in
   e ^ 2 / 6 * L ^ 3 + arguments_part L ((w + e) / 2 ^ 53 / 8) e + evaluation_part L e < 150.
 Proof.

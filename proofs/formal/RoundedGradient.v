@@ -4,13 +4,20 @@ From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core Plus_error Mult_error.
 From Interval Require Import Tactic.
-From Formal Require Import Formulas Float Float64 Clamped RoundedHalfTurns Rounding.
+From Formal Require Import Formulas Float Float64 Clamped RoundedHalfTurns Rounding Fields.
 Open Scope R_scope.
 
 Lemma twice_float64 x : float64 x -> float64 (2 * x).
 Proof. intro F. rewrite Rmult_comm. apply (mult_bpow_pos_exact_FLT radix2 (-1074) 53 x 1); [exact F | easy]. Qed.
+Lemma up_to_1 x : (x <= 1 -> rounded x <= 1) /\ (rounded x < 1 -> x < 1).
+Proof.
+  split; intro X; [|apply Rnot_le_lt; intro; apply (Rlt_not_le _ _ X)]; (apply round_le_generic || apply round_ge_generic); trivial; try typeclasses
+    eauto; exact one_is_float64.
+Qed.
+Lemma difference_near a b : float64 a -> float64 b -> exists d, Rabs d <= / 2 ^ 53 /\ rounded (a - b) = (a - b) * (1 + d).
+Proof. intros A B. exact (rounded_sum a (- b) A (generic_format_opp _ _ _ B)). Qed.
 Lemma four_quadrants q : (q mod 4 = 0 \/ q mod 4 = 1 \/ q mod 4 = 2 \/ q mod 4 = 3)%Z.
-Proof. generalize (Z.mod_pos_bound q 4 ltac:(easy)). lia. Qed.
+Proof. pose proof Z.mod_pos_bound q 4. lia. Qed.
 (* The sine and the cosine after q quarters of a turn, from those before. *)
 Definition sine_in (q : Z) (s c : R) := match (q mod 4)%Z with 0%Z => s | 1%Z => c | 2%Z => - s | _ => - c end.
 Definition cosine_in (q : Z) (s c : R) := match (q mod 4)%Z with 0%Z => c | 1%Z => - s | 2%Z => - c | _ => s end.
@@ -19,8 +26,7 @@ Ltac each_quadrant q := unfold sine_in, cosine_in; destruct (four_quadrants q) a
 Definition quarters (p : R) : Z := Znearest (fun n => negb (Z.even n)) (2 * p).
 Lemma near_quarters p : Rabs (p - IZR (quarters p) / 2) <= 1/4.
 Proof.
-  generalize (Znearest_half (fun n => negb (Z.even n)) (2 * p)). fold (quarters p). intro H.
-  both_ways H. apply Rabs_le. lra.
+  unfold quarters. pose proof Znearest_half (fun n => negb (Z.even n)) (2 * p). by_sides.
 Qed.
 Lemma remainder_is_float64 p : float64 p -> float64 (p - IZR (quarters p) / 2).
 Proof.
@@ -44,8 +50,8 @@ Lemma remainder_printed : sine_of_half_turns_float64.remainder p e = rounded (p 
 Proof.
   unfold sine_of_half_turns_float64.remainder, sine_of_half_turns_float64.remainder_high. rewrite quarters_printed, (part_of_quarters _ (-1)) by
     (simpl; lra || lia).
-  replace (p - 1 / 2 * IZR q) with (p - IZR q / 2) by field. assert (K : rounded (p - IZR q / 2) = p - IZR q / 2) by exact (kept _
-    (remainder_is_float64 _ F)). rewrite K. f_equal. ring.
+  replace (p - 1 / 2 * IZR q) with (p - IZR q / 2) by field. rewrite (kept (p - IZR q / 2)) by exact
+    (remainder_is_float64 _ F). f_equal. ring.
 Qed.
 Lemma quadrant_printed : sine_of_half_turns_float64.quadrant p = IZR (q mod 4).
 Proof.
@@ -86,13 +92,15 @@ Proof.
       sin_3PI2, cos_3PI2]; split; ring.
 Qed.
 
-Lemma rounded_pi : Rabs (rounded PI - PI) <= 111/100 / 2 ^ 53.
+Lemma rounded_pi : Rabs (rounded PI - PI) <= 36/100 / 2 ^ 53 * PI.
 Proof.
   set (c := IZR 7074237752028440 * bpow radix2 (-51)). assert (F : float64 c) by (apply whole_is_float64; easy).
   apply Rle_trans with (Rabs (c - PI)); [|unfold c; interval with (i_prec 80)].
-  apply (round_N_pt radix2 (FLT_exp (-1074) 53) (fun n => negb (Z.even n)) PI). exact F.
+  apply (round_N_pt radix2 (FLT_exp (-1074) 53) _ PI), F.
 Qed.
 
+Lemma bounded_product a b A B : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
+Proof. intros. rewrite Rabs_mult. factors; assumption. Qed.
 Lemma same_sign x y : (0 < x -> 0 < y) -> (x < 0 -> y < 0) -> (x = 0 -> y = 0) -> sign y = sign x.
 Proof. intros P N Z. destruct (Rtotal_order x 0) as [L|[L|L]]; [rewrite !sign_eq_m1 | rewrite Z, L | rewrite !sign_eq_1]; auto. Qed.
 Lemma of_opposites x y m : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
@@ -106,8 +114,10 @@ Proof.
 Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
 Lemma half_turns_apart f g (x y : R) : derives_to f g -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <= PI * Rabs (x - y).
-Proof. intros D G. rewrite <- (Rabs_pos_eq PI) at 3 by (generalize PI_RGT_0; lra). rewrite <- Rabs_mult, Rmult_minus_distr_l, <- Rmult_1_l. exact
-  (moved_by_at_most f g 1 _ _ D G). Qed.
+Proof.
+  intros D G. pose proof moved_by_at_most f g 1 (PI * y) (PI * x) D G as M. pose proof PI_RGT_0. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI) in
+    M; lra.
+Qed.
 Section product.
 Variables a b : R.
 Hypothesis A : float64 a.
@@ -126,42 +136,36 @@ Lemma in_two : p + e = a * b.
 Proof. exact (elementary_two_product a b A B U). Qed.
 Lemma error_is_small : Rabs e <= 1 / 2 ^ 31.
 Proof.
-  replace e with (- (p - a * b)) by (rewrite <- in_two; ring). rewrite Rabs_Ropp. eapply Rle_trans; [exact (rounded_error _ _ L) | interval].
+  assert (E := rounded_error _ _ L : Rabs (p - a * b) <= _). pose proof in_two. by_sides.
 Qed.
 Lemma remainder_near : r = rounded w /\ Rabs w <= 1/4 + 1 / 2 ^ 31.
 Proof.
   split.
   - unfold r, w. rewrite (remainder_printed p e product_is_float64). f_equal. rewrite <- in_two. ring.
   - replace w with (p - IZR (quarters p) / 2 + e) by (unfold w; rewrite <- in_two; ring).
-    eapply Rle_trans; [apply Rabs_triang | apply Rplus_le_compat; [apply near_quarters | exact error_is_small]].
+    at_most_by Rabs_triang. generalize (near_quarters p) error_is_small. lra.
 Qed.
 Lemma remainder_error : Rabs (r - w) <= 251/1000 / 2 ^ 53 /\ - (1/4 + 1/2^30) <= r <= 1/4 + 1/2^30.
 Proof.
-  destruct remainder_near as [R W]. assert (E : Rabs (r - w) <= 251/1000 / 2 ^ 53) by (rewrite R; eapply Rle_trans; [exact (rounded_error _ _ W) |
-    interval]).
-  split; [exact E|]. apply Rabs_le_between. replace r with (w + (r - w)) by ring. at_most_by Rabs_triang.
-  eapply Rle_trans; [exact (Rplus_le_compat _ _ _ _ W E) | interval].
+  destruct remainder_near as [R W]. assert (E : Rabs (r - w) <= 251/1000 / 2 ^ 53) by (rewrite R; generalize (rounded_error _ _ W); lra).
+  split; [exact E|]. apply Rabs_le_between. generalize (size _ _ _ _ W E). lra.
 Qed.
 Lemma turned f g : derives_to f g -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * r) - f (PI * w)) <= 789/1000 / 2 ^ 53.
 Proof.
-  intros D G. at_most_by (half_turns_apart f g r w D G). apply Rle_trans with (PI * (251/1000 / 2 ^ 53)); [apply Rmult_le_compat_l;
-    [generalize PI_RGT_0; lra | exact (proj1 remainder_error)] | interval].
+  intros D G. at_most_by (half_turns_apart f g r w D G). destruct remainder_error as [E _]. assert (0 < PI <= 31416/10000) by (split; interval). nra.
 Qed.
 Lemma polynomials_near : Rabs (s - sin (PI * w)) <= 3289/1000 / 2 ^ 53 /\ Rabs (c - cos (PI * w)) <= 3289/1000 / 2 ^ 53.
 Proof.
   destruct remainder_error as [_ R]. split.
-  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_sine_float64 _ R) (turned sin cos is_derive_sin (fun x => Rabs_le _ _
-    (COS_bound x)))) | lra].
-  - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply Rabs_le, SIN_bound).
+  - eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_sine_float64 _ R) (turned sin cos is_derive_sin cosine_at_most_1)) | lra].
+  - assert (D : forall x, Rabs (- sin x) <= 1) by (intro x; rewrite Rabs_Ropp; apply sine_at_most_1).
     eapply Rle_trans; [exact (through _ _ _ _ _ (elementary_cosine_float64 _ R) (turned cos (fun x => - sin x) is_derive_cos D)) | lra].
 Qed.
-Lemma half_turns : Rabs (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine
-  p e - cos (PI * (a * b))) <= 3289/1000 / 2 ^ 53.
+Lemma after_quarters (near : R -> R -> Prop) : near s (sin (PI * w)) -> near c (cos (PI * w)) -> (forall x y, near x y -> near (- x) (- y)) -> near
+  (sine_of_half_turns_float64.sine p e) (sin (PI * (a * b))) /\ near (cosine_of_half_turns_float64.cosine p e) (cos (PI * (a * b))).
 Proof.
-  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct polynomials_near as [S C]. destruct (by_quadrant w (quarters p))
-    as [-> ->].
-  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => Rabs (x - y) <= 3289/1000 / 2 ^ 53)); [exact S |
-    exact C | intros; apply of_opposites; assumption].
+  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> ->].
+  destruct (sine_printed p e product_is_float64) as [-> ->]. apply in_each_quadrant.
 Qed.
 (* The side of a crease is never wrong: the sine's sign is that of its argument's. *)
 Lemma sign_of_remainder : sign r = sign w.
@@ -190,39 +194,38 @@ Proof.
   assert (cos (PI * w) > 7/10) by interval. rewrite !sign_eq_1; lra.
 Qed.
 Lemma signs_of_waves : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))) /\ sign (cosine_of_half_turns_float64.cosine p e) =
-  sign (cos (PI
-  * (a * b))).
-Proof.
-  replace (a * b) with (w + IZR (quarters p) / 2) by (unfold w; ring). destruct (by_quadrant w (quarters p)) as [-> ->].
-  destruct (sine_printed p e product_is_float64) as [-> ->]. apply (in_each_quadrant (fun x y => sign x = sign y)); [exact sign_of_sine | exact
-    sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
-Qed.
+  sign (cos (PI * (a * b))).
+Proof. apply (after_quarters (fun x y => sign x = sign y)); [exact sign_of_sine | exact sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity]. Qed.
 End product.
 
 Definition carried (a b : R) := float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
-Lemma factors_near a b : carried a b -> let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in Rabs
-  (sine_of_half_turns_float64.sine p e - sin (PI * (a * b))) <= 3289/1000 / 2 ^ 53 /\ Rabs (cosine_of_half_turns_float64.cosine p e - cos (PI * (a
-  * b))) <= 3289/1000 / 2 ^ 53 /\ sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))).
-Proof. intros (A & B & U & L) p e. destruct (half_turns a b A B U L) as [S C]. exact (conj S (conj C (proj1 (signs_of_waves a b A B U L)))). Qed.
-
-Lemma slope_near k c s ch sh : Rabs c <= 1 -> Rabs s <= 1 -> Rabs (ch - c) <= 3289/1000 / 2 ^ 53 -> Rabs (sh - s) <= 3289/1000 / 2 ^ 53 -> Rabs
-  (rounded (rounded (rounded (rounded PI * ch) * k) * sh) - PI * c * k * s) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
+Definition near_turn x y := Rabs (x - y) <= 3289/1000 / 2 ^ 53.
+Lemma factors_near a b : carried a b -> let p := two_product_float64.product a b in let e := two_product_float64.product_error a b in let s :=
+  sine_of_half_turns_float64.sine p e in near_turn s (sin (PI * (a * b))) /\ near_turn (cosine_of_half_turns_float64.cosine p e) (cos (PI * (a *
+  b))) /\ sign s = sign (sin (PI * (a * b))).
 Proof.
-  intros C S Ec Es. set (K := Rmax 1 (Rabs k)). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k <= K) by apply Rmax_r.
-  assert (P : Rabs PI <= 3141593/1000000) by interval.
-  generalize (times_error _ _ _ _ _ _ _ _ P C rounded_pi Ec). intro E1.
-  assert (B1 : Rabs (PI * c) <= 3141593/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
-  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k)). intro E2.
-  assert (B2 : Rabs (PI * c * k) <= 3141593/1000000 * K) by (rewrite Rabs_mult; factors; assumption).
-  generalize (times_error _ _ _ _ _ _ _ _ B2 S E2 Es). intro E3. at_most_by E3.
-  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+  intros (A & B & U & L) p e s. destruct (polynomials_near a b A B U L) as [S C]. rewrite <- and_assoc. split.
+  - exact (after_quarters a b near_turn S C (fun x y => of_opposites x y _)).
+  - exact (proj1 (signs_of_waves a b A B U L)).
+Qed.
+
+Definition slope_off (k : R) := 10 / 9007199254740992 * PI * Rmax 1 (Rabs k).
+Lemma slope_near P ph k m c s ch sh : near_turn ch c -> PI <= P -> Rabs (ph - P) <= 36/100 / 2 ^ 53 * P -> P * Rabs k = PI * Rabs m -> Rabs c <= 1 -> Rabs s <=
+  1 -> near_turn sh s -> Rabs (rounded (rounded (rounded (ph * ch) * k) * sh) - P * c * k * s) <= slope_off m.
+Proof.
+  intros Ec Q E W C S Es. assert (P3 : 3 <= PI) by interval. pose proof Rmax_l 1 (Rabs m). pose proof Rmult_le_compat_l PI _ _ ltac:(lra) (Rmax_r 1 (Rabs
+    m)). unfold slope_off. assert (3 <= PI * Rmax 1 (Rabs m)) by nra. assert (3 * Rabs k <= P * Rabs k) by (apply Rmult_le_compat_r; [apply Rabs_pos |
+    lra]).
+  assert (Bp : Rabs P <= P) by (rewrite Rabs_pos_eq; lra). pose proof bounded_product _ _ _ _ Bp C as B1. pose proof bounded_product _ _ _ _ B1 (Rle_refl
+    (Rabs k)) as B2.
+  at_most_by (times_error _ _ _ _ _ _ _ _ B2 S (times_error _ _ _ _ _ _ _ _ B1 (Rle_refl _) (times_error _ _ _ _ _ _ _ _ Bp C E Ec) (no_error k)) Es).
+  lra.
 Qed.
 Lemma slopes_of_sine u v k_u k_v : carried k_u u -> carried k_v v -> Rabs (gradient_sine_float64.h_u u v k_u k_v - gradient_sine.h_u u v k_u k_v)
-  <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\ Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= 10 / 2 ^ 53 * (PI *
-  Rmax 1 (Rabs k_v)).
+  <= slope_off k_u /\ Rabs (gradient_sine_float64.h_v u v k_u k_v - gradient_sine.h_v u v k_u k_v) <= slope_off k_v.
 Proof.
   intros U V. destruct (factors_near _ _ U) as (? & ? & _). destruct (factors_near _ _ V) as (? & ? & _).
-  split; apply slope_near; try assumption; apply Rabs_le; (apply SIN_bound || apply COS_bound).
+  split; apply slope_near; exact rounded_pi || apply sine_at_most_1 || apply cosine_at_most_1 || assumption || apply Rle_refl || reflexivity.
 Qed.
 Lemma times_sign x s t : float64 x -> rounded (x * rounded (sign s * sign t)) = x * sign (s * t).
 Proof.
@@ -230,40 +233,23 @@ Proof.
     ?rounded_1, ?rounded_0, ?Rmult_0_r, ?Rmult_1_r; [apply kept, F | apply rounded_0|].
   replace (x * - (1)) with (- x) by ring. rewrite rounded_opp, (kept x F). ring.
 Qed.
-Lemma beside_a_sign x y m s : Rabs (x - y) <= m -> 0 <= m -> Rabs (x * sign s - y * sign s) <= m.
-Proof. intros D M. both_ways D. unfold sign. destruct total_order_T as [[|]|]; apply Rabs_le; lra. Qed.
-Lemma not_negative k : 0 <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k)).
-Proof. assert (1 <= Rmax 1 (Rabs k)) by apply Rmax_l. generalize PI_RGT_0. nra. Qed.
+Lemma beside_a_sign x y m s : Rabs (x - y) <= m -> Rabs (x * sign s - y * sign s) <= m.
+Proof. intro D. pose proof Rle_trans _ _ _ (Rabs_pos _) D. unfold sign. destruct total_order_T as [[|]|]; by_sides. Qed.
 Lemma slopes_of_ridges u v k_u k_v : carried k_u u -> carried k_v v -> Rabs (gradient_ridges_float64.h_u u v k_u k_v - gradient_ridges.h_u u v k_u
-  k_v) <= 10 / 2 ^ 53 * (PI * Rmax 1 (Rabs k_u)) /\ Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= 10 / 2 ^
-  53 * (PI * Rmax 1 (Rabs k_v)).
+  k_v) <= slope_off k_u /\ Rabs (gradient_ridges_float64.h_v u v k_u k_v - gradient_ridges.h_v u v k_u k_v) <= slope_off k_v.
 Proof.
-  intros U V. destruct (slopes_of_sine u v k_u k_v U V) as [Hu Hv]. destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_
-    & _ & Sv).
-  unfold gradient_ridges_float64.h_u, gradient_ridges_float64.h_v, gradient_ridges.h_u, gradient_ridges.h_v.
-  rewrite !times_sign by first [exact 0 | apply rounded_is_float64]. rewrite !sign_mult.
-  change (sign (gradient_ridges_float64.sin_u u k_u)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_u u)
-    (two_product_float64.product_error k_u u))).
-  change (sign (gradient_ridges_float64.sin_v v k_v)) with (sign (sine_of_half_turns_float64.sine (two_product_float64.product k_v v)
-    (two_product_float64.product_error k_v v))).
-  rewrite Su, Sv. gradient_ridges.lines. rewrite <- !sign_mult. split; (apply beside_a_sign; [assumption | apply not_negative]).
+  intros U V. destruct (slopes_of_sine u v k_u k_v U V). destruct (factors_near _ _ U) as (_ & _ & Su). destruct (factors_near _ _ V) as (_ & _ & Sv).
+  unfold gradient_ridges_float64.h_u, gradient_ridges_float64.h_v. rewrite !times_sign, !sign_mult by first [exact 0 | apply rounded_is_float64].
+  unfold gradient_ridges_float64.sin_u, gradient_ridges_float64.sin_v. rewrite Su, Sv, <- !sign_mult. split; apply beside_a_sign; assumption.
 Qed.
-Lemma slope_of_rings v k_v : carried (2 * k_v) v -> float64 k_v -> Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= 10 / 2 ^
-  53 * (PI * Rmax 1 (Rabs (2 * k_v))).
+Lemma slope_of_rings v k_v : carried (2 * k_v) v -> float64 k_v -> Rabs (gradient_rings_float64.h_v v k_v - gradient_rings.h_v v k_v) <= slope_off (2 *
+  k_v).
 Proof.
-  intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines.
-  rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _ (rounded_is_float64 PI))). set (ch := cosine_of_half_turns_float64.cosine _ _) in *.
-  set (K := Rmax 1 (Rabs (2 * k_v))). assert (K1 : 1 <= K) by apply Rmax_l. assert (Bk : Rabs k_v <= K / 2).
-  { apply Rmult_le_reg_l with 2; [lra|]. replace (2 * (K / 2)) with K by field. rewrite <- (Rabs_pos_eq 2) at 1 by lra. rewrite <- Rabs_mult.
-    apply Rmax_r. }
-  gradient_rings.lines. set (c := cos _) in *. assert (C1 : Rabs c <= 1) by (apply Rabs_le, COS_bound).
-  assert (P : Rabs (2 * PI) <= 6283186/1000000) by interval.
-  assert (E0 : Rabs (2 * rounded PI - 2 * PI) <= 222/100 / 2 ^ 53) by (generalize rounded_pi; rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq
-    2) by lra; lra).
-  generalize (times_error _ _ _ _ _ _ _ _ P C1 E0 C). intro E1.
-  assert (B1 : Rabs (2 * PI * c) <= 6283186/1000000) by (rewrite Rabs_mult; generalize (Rabs_pos c); nra).
-  generalize (times_error _ _ _ _ _ _ _ _ B1 Bk E1 (no_error k_v)). intro E2. at_most_by E2.
-  assert (PI * K >= 3141592/1000000 * K) by (assert (3141592/1000000 <= PI) by interval; nra). lra.
+  intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines. rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _
+    (rounded_is_float64 PI))).
+  generalize PI_RGT_0 rounded_pi. intros. assert (N := slope_near (2 * PI) (2 * rounded PI) k_v (2 * k_v) _ 1 _ 1 C ltac:(lra)). rewrite <- Rmult_minus_distr_l, !Rabs_mult,
+    (Rabs_pos_eq 2), Rabs_R1, !Rmult_1_r, (kept _ (rounded_is_float64 _)) in N by lra.
+  apply N; try lra; [apply cosine_at_most_1 | at_most_by no_error; lra].
 Qed.
 
 (* The printed claims: what is carried out exactly, and where nothing underflows. *)
@@ -279,21 +265,14 @@ Proof.
   intros X K L H B U. repeat split; [exact K | exact X | apply not_tiny, U|]. rewrite Rabs_mult, (Rabs_pos_eq x) by lra. generalize (Rabs_pos k). nra.
 Qed.
 Theorem gradient_accuracy__sine : Statements.gradient_accuracy__sine.
-Proof.
-  red. intros. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite !(Rmult_assoc (10 / 2 ^ 53)).
-  apply slopes_of_sine; apply carried_on_the_chart; try assumption; lra.
-Qed.
+Proof. red. intros. apply slopes_of_sine; apply carried_on_the_chart; try assumption; lra. Qed.
 Theorem gradient_accuracy__ridges : Statements.gradient_accuracy__ridges.
-Proof.
-  red. intros. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite !(Rmult_assoc (10 / 2 ^ 53)).
-  apply slopes_of_ridges; apply carried_on_the_chart; try assumption; lra.
-Qed.
+Proof. red. intros. apply slopes_of_ridges; apply carried_on_the_chart; try assumption; lra. Qed.
 Theorem gradient_accuracy__rings : Statements.gradient_accuracy__rings.
 Proof.
-  intros v k_v V K L H B U. replace (10 / 9007199254740992 * PI) with (10 / 2 ^ 53 * PI) by lra. rewrite Rmult_assoc.
-  apply slope_of_rings; [|exact K]. apply carried_on_the_chart; try assumption.
+  intros v k_v V K L H B U. apply slope_of_rings; [|exact K]. apply carried_on_the_chart; try assumption.
   - apply twice_float64, K.
   - rewrite Rabs_mult, (Rabs_pos_eq 2) by lra. lra.
-  - destruct U as [U|U]; [left | right; rewrite Rmult_assoc, U; ring]. rewrite Rmult_assoc, Rabs_mult, (Rabs_pos_eq 2) by lra.
+  - rewrite Rmult_assoc. destruct U as [U|U]; [left | right; rewrite U; ring]. rewrite Rabs_mult, (Rabs_pos_eq 2) by lra.
     generalize (Rabs_pos (k_v * v)) (pow_lt 10 285 ltac:(lra)). nra.
 Qed.

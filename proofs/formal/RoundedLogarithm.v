@@ -24,20 +24,17 @@ Qed.
 
 (* A rounding to so many digits, relative to a number that is not negligible. *)
 Definition negligible := bpow radix2 (-900).
-Lemma relative digits b x y : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) (Znearest (fun n => negb (Z.even n)))
+Lemma underflow_is_negligible : bpow radix2 (-1074) <= / 2 ^ 100 * negligible.
+Proof. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra). unfold negligible. rewrite <- bpow_plus. apply bpow_le. easy. Qed.
+Lemma relative digits b x y : (0 < digits)%Z -> negligible <= b -> y = round radix2 (FLT_exp (-1074) digits) ZnearestE
   x -> exists d t, Rabs d <= bpow radix2 (- digits) /\ Rabs t <= / 2 ^ 100 /\ y = x * (1 + d) + b * t.
 Proof.
-  intros P B ->. pose proof bpow_gt_0 radix2 (-900) as B0. fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even
-    n)) x) as (d & t & D & T & _ & E). exists d, (t / b). split; [|split].
-  - at_most_by D. unfold u_ro. rewrite bpow_plus. change (bpow radix2 1) with 2. lra.
-  - apply Rmult_le_reg_r with b; [lra|]. rewrite <- (Rabs_pos_eq b) at 2 by lra. rewrite <- Rabs_mult. replace (t / b * b) with t by (field; lra).
-    at_most_by T.
-    apply Rle_trans with (/ 2 ^ 100 * negligible); [|apply Rmult_le_compat_l; lra]. replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra).
-      unfold negligible. rewrite <- bpow_plus. generalize (bpow_le radix2 (-1074) (-100 + -900) ltac:(easy)) (bpow_gt_0 radix2 (-1074)). lra.
+  intros P B ->. pose proof bpow_gt_0 radix2 (-900) as B0. fold negligible in B0. destruct (error_N_FLT radix2 (-1074) digits P (fun n => negb (Z.even n))
+    x) as (d & t & D & T & _ & E). exists d, (t / b). split; [|split].
+  - at_most_by D. unfold u_ro. rewrite bpow_plus. simpl (bpow _ 1). lra.
+  - apply over_length; [lra|]. at_most_by T. generalize underflow_is_negligible (bpow_gt_0 radix2 (-1074)). lra.
   - rewrite E. field. lra.
 Qed.
-Lemma bounded_product a b A B : Rabs a <= A -> Rabs b <= B -> Rabs (a * b) <= A * B.
-Proof. intros. rewrite Rabs_mult. factors; assumption. Qed.
 (* A sum of two needs no such number. *)
 Lemma sum_within f g X : float64 f -> float64 g -> Rabs (f + g) <= X -> Rabs (rounded (f + g) - (f + g)) <= / 2 ^ 53 * X.
 Proof.
@@ -48,13 +45,14 @@ Ltac float_is := first [apply rounded_is_float64 | apply generic_format_opp, rou
 Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in
   pose proof sum_within f g X ltac:(float_is) ltac:(float_is) ltac:(assumption) as E; change (rounded (f + g)) with s in E.
 (* The part of 26 digits, which is split off by a multiplication. *)
-Lemma high_part x : float64 x -> rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) = round radix2 (FLT_exp (-1074) 26)
-  (Znearest (fun n => negb (Z.even n))) x.
+Lemma high_part x : float64 x -> let h := rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) in h = round radix2 (FLT_exp (-1074)
+  26) ZnearestE x /\ generic_format radix2 (FLT_exp (-1074) 26) h.
 Proof.
-  intro F. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl as H.
-  change (round radix2 (FLT_exp (-1074) 53) (Znearest (fun n => negb (Z.even n)))) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H
+  intros F h. assert (G : Prec_gt_0 26) by easy. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl as H.
+  change (round radix2 (FLT_exp (-1074) 53) ZnearestE) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H
     by (simpl; lra).
-  rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. exact H.
+  rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. rewrite (H : h = _).
+  split; [reflexivity | apply generic_format_round; typeclasses eauto].
 Qed.
 (* Its product with a number of 27 digits is exact. *)
 Lemma short_product h k e : generic_format radix2 (FLT_exp (-1074) 26) h -> (Z.abs k <= 2 ^ 27)%Z -> h * (IZR k * bpow radix2 e) = 0 \/ bpow
@@ -179,12 +177,10 @@ Let b := Rabs q + negligible.
 Let c := q / b.
 Lemma scale : Rabs q <= 589/10000 /\ 0 < negligible <= bpow radix2 (-100) /\ negligible <= b /\ 0 < b <= 59/1000 /\ q = c * b /\ Rabs c <= 1.
 Proof.
-  destruct node_of_mantissa as (Bq & Bd & _). destruct M as [_ Bm]. assert (Q : Rabs q <= 589/10000) by (unfold q; fold m d in Bq, Bd; rewrite
-    Rabs_div, (Rabs_pos_eq (m + d)) by lra; apply Rle_div_l; lra).
+  destruct node_of_mantissa as (Bq & Bd & _). destruct M as [_ Bm]. assert (Q : Rabs q <= 589/10000) by (fold m d in Bq, Bd; apply over_length; lra).
   assert (t0 : 0 < negligible <= bpow radix2 (-100)) by (split; [apply bpow_gt_0 | apply bpow_le; easy]). pose proof Rabs_pos q as q0. assert (b0 :
     negligible <= b) by (unfold b; lra).
-  split; [exact Q | split; [exact t0 | split; [exact b0 | split; [simpl bpow in t0; unfold b; lra | split; [unfold c; field; lra|]]]]]. unfold c.
-    rewrite Rabs_div, (Rabs_pos_eq b) by lra. apply Rle_div_l; unfold b; lra.
+  refine (conj Q (conj t0 (conj b0 (conj _ (conj _ _))))); [simpl bpow in t0; unfold b; lra | unfold c; field; lra | apply over_length; unfold b; lra].
 Qed.
 Ltac relatively d t E x y := match goal with b0 : negligible <= ?b |- _ => destruct (relative 53 b x y eq_refl b0 eq_refl) as (d & t & ? & ? & E) end.
 Lemma quotient_in_two : generic_format radix2 (FLT_exp (-1074) 26) h /\ (h = 0 \/ bpow radix2 (-60) <= Rabs h) /\ Rabs (h - q) <= 101/100 / 2 ^ 26 * b
@@ -195,17 +191,15 @@ Proof.
   assert (Fd : float64 d) by (rewrite D; apply whole_is_float64; lia). set (S := m + d) in *. assert (BS : 1497/1000 <= S <= 26843/10000) by
     (unfold S; lra).
   assert (qS : m - d = q * S) by (unfold q; fold S; field; lra). destruct scale as (Q & t0 & b0 & Bb & cb & Bc).
-  destruct (rounded_sum m d Fm Fd) as (u & Bu & Es).
-  set (I := natural_logarithm_float64.inverse x). destruct (relative 53 b (1 / (S * (1 + u))) I eq_refl b0 ltac:(unfold S; rewrite <- Es;
-    reflexivity)) as (d1 & t1 & D1 & T1 & E1).
-  set (a := natural_logarithm_float64.a x). destruct (relative 53 b (q * S * I) a eq_refl b0 ltac:(rewrite <- qS, <- A; reflexivity)) as (d2 & t2 & D2
-    & T2 & E2).
-  destruct (relative 26 b a h eq_refl b0 (high_part a (rounded_is_float64 _))) as (d3 & t3 & D3 & T3 & E3).
+  destruct (rounded_sum m d Fm Fd) as (u & Bu & Es). fold S in Es.
+  set (J := natural_logarithm_float64.inverse x). relatively u1 t1 F1 (1 / rounded S) J. rewrite Es in F1.
+  set (a := natural_logarithm_float64.a x). relatively u2 t2 F2 (natural_logarithm_float64.above_node x * J) a. rewrite A, qS in F2.
+  destruct (high_part a (rounded_is_float64 _)) as [Hh Fh]. destruct (relative 26 b a h eq_refl b0 Hh) as (u3 & t3 & D3 & T3 & F3).
   set (f := (h - q) / b). assert (Hf : h = b * (c + f)) by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold f; field; lra).
   assert (Bf : Rabs f <= 101/100 / 2 ^ 26).
-  { replace f with (c * ((1 + d1) / (1 + u) * (1 + d2) * (1 + d3) - 1) + c * S * b * t1 * (1 + d2) * (1 + d3) + t2 * (1 + d3) + t3).
+  { replace f with (c * ((1 + u1) / (1 + u) * (1 + u2) * (1 + u3) - 1) + c * S * b * t1 * (1 + u2) * (1 + u3) + t2 * (1 + u3) + t3).
     - simpl bpow in *. clearbody c b f S. interval with (i_prec 120).
-    - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, E3, E2, E1, cb. field.
+    - apply Rmult_eq_reg_l with b; [|lra]. apply Rplus_eq_reg_l with (b * c). rewrite <- (Rmult_plus_distr_l b c f), <- Hf, F3, F2, F1, cb. field.
       both_ways Bu. split; lra. }
   clearbody f.
   assert (Eh : Rabs (h - q) <= 101/100 / 2 ^ 26 * b) by (rewrite cb, Hf; replace (b * (c + f) - c * b) with (f * b) by ring; apply
@@ -217,9 +211,7 @@ Proof.
         Rmult_0_r, !rounded_0, Rminus_0_r, !rounded_0, Rminus_0_r. apply rounded_0.
     - right. rewrite qS, Rabs_mult, (Rabs_pos_eq S) in Z by lra. generalize (Rabs_triang_inv q h). rewrite (Rabs_minus_sym q h). simpl bpow in *.
       unfold b in Eh. assert (X : Rabs q * S <= Rabs q * (27/10)) by (apply Rmult_le_compat_l; [apply Rabs_pos | lra]). intro. lra. }
-  assert (G : Prec_gt_0 26) by easy. assert (Fh : generic_format radix2 (FLT_exp (-1074) 26) h) by (rewrite (high_part a (rounded_is_float64 _) : h =
-    _); apply generic_format_round; typeclasses eauto).
-  split; [exact Fh | split; [exact h0 | split; [exact Eh|]]]. set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728))
+  refine (conj Fh (conj h0 (conj Eh _))). set (l := natural_logarithm_float64.lifted x). assert (El : Rabs (l - (m + 134217728))
     <= 1001/1000 / 2 ^ 26).
   { assert (B : Rabs (m + 134217728) <= 134217730) by (apply Rabs_le; lra). eapply Rle_trans; [exact (rounded_error _ _ B) | lra]. }
   destruct (multiple_of_power l (-25)) as [i L]; [apply rounded_is_float64 | change (bpow radix2 (-25 + 52)) with 134217728; rewrite Rabs_pos_eq;
@@ -238,14 +230,14 @@ Proof.
   set (s := p - m). assert (Bs : Rabs s <= 1001/1000 / 2 ^ 26) by (unfold s; rewrite Pl; replace (_ - m) with (l - (m + 134217728)) by ring; exact El).
   set (r' := natural_logarithm_float64.mantissa_rest x). relatively d4 t4 E4 (m - p) r'. set (w :=
     rounded (h * r')). relatively d5 t5 E5 (h * r') w.
-  set (n := natural_logarithm_float64.undivided_near x). destruct (relative 53 b (q * S - h * (p + d)) n eq_refl b0 ltac:(rewrite <- K1, <- qS, <- A;
-    reflexivity)) as (d6 & t6 & D6 & T6 & E6).
-  set (U := natural_logarithm_float64.undivided x). relatively d7 t7 E7 (n - w) U. relatively d8 t8 E8 (I * U) e.
+  set (n := natural_logarithm_float64.undivided_near x). relatively d6 t6 E6 (natural_logarithm_float64.above_node x - rounded (h *
+    natural_logarithm_float64.sum_short x)) n. rewrite A, qS, K1 in E6.
+  set (U := natural_logarithm_float64.undivided x). relatively d7 t7 E7 (n - w) U. relatively d8 t8 E8 (J * U) e.
   replace (p + d) with (S + s) in E6 by (unfold S, s; ring). replace (m - p) with (- s) in E4 by (unfold s; ring).
-  rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((I * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) -
-    b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - I * S * (1 + d7) * (1 + d8)) + I * t7 * (1 + d8) + t8) * b) by ring.
+  rewrite E8, E7, E6, E5, E4, Hf, cb. replace (_ - _) with ((J * (- (f * S + (c + f) * s) * d6 + t6 - t5 + (c + f) * (s * ((1 + d4) * (1 + d5) - 1) -
+    b * t4 * (1 + d5))) * (1 + d7) * (1 + d8) + f * (1 - J * S * (1 + d7) * (1 + d8)) + J * t7 * (1 + d8) + t8) * b) by ring.
   apply at_the_scale_of; [lra|].
-  replace (I * S) with ((1 + d1) / (1 + u) + S * b * t1) by (rewrite E1; field; both_ways Bu; split; lra). rewrite E1. simpl bpow in *.
+  replace (J * S) with ((1 + u1) / (1 + u) + S * b * t1) by (rewrite F1; field; both_ways Bu; split; lra). rewrite F1. simpl bpow in *.
     clearbody c b s S. interval with (i_prec 120).
 Qed.
 Lemma quotient_logarithm : ln (1 + q) - ln (1 - q) = ln m - ln d.
@@ -258,26 +250,22 @@ Lemma tail_near : let s := logarithm_polynomial.log_tail q in Rabs (natural_loga
   24/10000 * b.
 Proof.
   destruct scale as (Q & t0 & b0 & Bb & cb & Bc). destruct quotient_in_two as (_ & _ & _ & Ee). set (g := (e - (q - h)) / b). assert (Bg : Rabs g <= 1
-    / 2 ^ 70) by (unfold g; rewrite Rabs_div, (Rabs_pos_eq b) by lra; apply Rle_div_l; lra).
-  set (p := natural_logarithm_float64.quotient x). destruct (relative 53 b (h + e) p eq_refl b0 eq_refl) as (d1 & t1 & D1 & T1 & E1). replace (h + e)
-    with (b * (c + g)) in E1 by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold g; field; lra). clearbody g.
-  set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x). destruct (relative 53 b (p * p) zh
-    eq_refl b0 eq_refl) as (d2 & t2 & D2 & T2 & E2).
+    / 2 ^ 70) by (apply over_length; lra).
+  set (p := natural_logarithm_float64.quotient x). relatively u1 t1 F1 (h + e) p. replace (h + e)
+    with (b * (c + g)) in F1 by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold g; field; lra). clearbody g.
+  set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x). relatively u2 t2 F2 (p * p) zh.
   unfold natural_logarithm_float64.log_tail, logarithm_polynomial.log_tail. fold p z zh. lazymatch goal with |- context [rounded (rounded (p * zh) *
     ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F' := F); set (G' := G) end end.
-  destruct (relative 53 b (p * zh) _ eq_refl b0 eq_refl) as (d3 & t3 & D3 & T3 & E3). destruct (relative 53 b (rounded (p * zh) * F') _ eq_refl b0
-    eq_refl) as (d4 & t4 & D4 & T4 & E4). simpl bpow in *.
-  set (k := g + (c + g) * d1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by
+  relatively u3 t3 F3 (p * zh) (rounded (p * zh)). relatively d4 t4 E4 (rounded (p * zh) * F') (rounded (rounded (p * zh) * F')). simpl bpow in *.
+  set (k := g + (c + g) * u1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by
     (unfold z, logarithm_polynomial.quotient_squared; rewrite cb; ring).
   assert (Bz : 0 <= z <= 349/100000) by (rewrite Z; clearbody b c; split; [apply Rmult_le_pos; apply pow2_ge_0 | interval]).
-  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite E2, E1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * d2 + (2 * c * k + k ^ 2) * (1 + d2))
+  assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite F2, F1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * u2 + (2 * c * k + k ^ 2) * (1 + u2))
     + b * t2) by (unfold k; ring); clearbody b c k; interval).
   assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F',
     G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
-  change (rounded (rounded (p * zh) * F') = rounded (p * zh) * F' * (1 + d4) + b * t4) in E4. change (rounded (p * zh) = p * zh * (1 + d3) + b *
-    t3) in E3.
-  split; [rewrite E4, E3, E1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1
-    + d3) * (1 + d4) - 1) + k * (1 + d3) * (1 + d4)) + (c + k) * (1 + d3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F'
+  split; [rewrite E4, F3, F1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1
+    + u3) * (1 + d4) - 1) + k * (1 + u3) * (1 + d4)) + (c + k) * (1 + u3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F'
     - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
     (apply at_the_scale_of; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with
       (i_prec 100).
@@ -380,17 +368,10 @@ Proof.
   pose proof rounded_is_float64 as Fl. pose proof sum_in_two w q (Fl _) (Fl _) S as Q. set (y := ln x) in *. pose proof Rabs_pos y as y0.
   assert (B : 16 * negligible = bpow radix2 (-896)) by (unfold negligible; change 16 with (bpow radix2 4); rewrite <- bpow_plus; reflexivity). rewrite
     <- B. assert (t0 := bpow_gt_0 radix2 (-900) : 0 < negligible).
-  assert (Bs : Rabs (q + w) <= 1002/1000 * Rabs y + 3 * negligible).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
-    r - y) y). lra. }
-  pose proof sum_within q w _ (Fl _) (Fl _) Bs as Es. set (s := rounded (q + w)) in *. set (c := natural_logarithm_float64.log_sum_rest x). change (s +
-    c = w + q) in Q.
-  assert (Bl : Rabs (r + c) <= 15/10000 * Rabs y + 2 * negligible) by (replace c with (q + w - s) by lra; by_sides). pose proof sum_within r c _
-    (Fl _) (Fl _) Bl as El. set (l := rounded (r + c)) in *.
-  assert (E3 : Rabs (l + s - y) <= 21/1000 / 2 ^ 53 * Rabs y + 2 * negligible) by (replace (l + s - y) with (l - (r + c) + (w + q + r - y)) by
-    lra; by_sides).
-  generalize (through _ _ _ _ _ (sum_within l s _ (Fl _) (Fl _) (size _ _ _ _ (Rle_refl (Rabs y)) E3)) E3). change (rounded (l + s)) with
-    (natural_logarithm_float64.log_near x). lra.
+  set (s := rounded (q + w)). set (c := natural_logarithm_float64.log_sum_rest x). change (s + c = w + q) in Q. set (l := rounded (r + c)). set (z :=
+    natural_logarithm_float64.log_near x). pose proof Rle_refl (Rabs y).
+  added s q w (1002/1000 * Rabs y + 3 * negligible). added l r c (15/10000 * Rabs y + 2 * negligible). added z l s (1001/1000 * Rabs y + 3 *
+    negligible). by_sides.
 Qed.
 Theorem elementary_functions__log__point : exists x, float64 x /\ 0 < x <= IZR (2 ^ 1024 - 2 ^ 971).
 Proof. exists 1. split; [exact one_is_float64 | split; [lra | apply IZR_le; easy]]. Qed.

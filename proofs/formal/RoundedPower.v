@@ -4,7 +4,7 @@ From Coq Require Import Reals Lra Lia ZArith.
 From Coquelicot Require Import Coquelicot.
 From Flocq Require Import Core.
 From Interval Require Import Tactic.
-From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedAngle RoundedExponential RoundedLogarithm.
+From Formal Require Import Preliminaries Formulas Float Float64 RoundedHalfTurns Rounding RoundedGradient RoundedAngle RoundedExponential RoundedLogarithm.
 Open Scope R_scope.
 
 Section raised_in_two.
@@ -30,10 +30,9 @@ Proof.
   assert (Y0 : 0 < Y) by (unfold Y; lra). assert (z0 : negligible <= z) by (unfold z; apply Rle_trans with (/ 2048 * Y); [unfold Y; lra | apply
     Rmult_le_compat_r; lra]).
   assert (Pp : Rabs p <= p) by (rewrite Rabs_pos_eq; lra). pose proof rounded_is_float64 as Fl.
-  set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. assert (Fb : generic_format radix2 (FLT_exp (-1074) 26) b) by (rewrite
-    (high_part p Fp : b = _); apply generic_format_round; typeclasses eauto).
+  set (b := raised_float64.b_high p). assert (G : Prec_gt_0 26) by easy. destruct (high_part p Fp : b = _ /\ generic_format _ _ b) as [Hb Fb].
   assert (Eb : Rabs (p - b) <= / 2 ^ 25 * p).
-  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact (high_part p Fp)|]. simpl bpow in D1. replace (p - _) with (- (d1 +
+  { destruct (relative 26 p p b eq_refl) as (d1 & t1 & D1 & T1 & ->); [lra | exact Hb |]. simpl bpow in D1. replace (p - _) with (- (d1 +
     t1) * p) by ring. apply at_the_scale_of; [lra | interval]. }
   assert (b0 : / 4096 <= b) by (both_ways Eb; lra).
   assert (Long : forall f, f = 0 \/ bpow radix2 (-70) <= Rabs f -> b * f = 0 \/ bpow radix2 (-1022) <= Rabs (b * f)).
@@ -51,28 +50,23 @@ Proof.
   set (o := raised_float64.product_near x p). set (g := raised_float64.product_near_rest x p). assert (Og : o + g = u + v).
   { rewrite <- (sum_in_two u v (Fl _) (Fl _)); [unfold g, raised_float64.product_near_rest; fold v; rewrite (Rplus_comm v); reflexivity|]. rewrite Hw,
     Hq, !Rabs_mult. destruct S as [-> | S]; [left; ring | right; apply Rmult_le_compat_l; [apply Rabs_pos | exact S]]. }
-  assert (Bqw : Rabs (q + w) <= 1002/1000 * Y).
-  { replace (q + w) with (w + q + r - y + y - r) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. generalize (Rabs_triang (w + q +
-    r - y) y). unfold Y. lra. }
-  assert (Bq' : Rabs q <= 11/10 * Y) by (unfold Y; lra). assert (Bw : Rabs w <= 22/10 * Y) by (replace w with (q + w - q) by ring; at_most_by
-    Rabs_triang; rewrite Rabs_Ropp; lra).
+  pose proof Rle_refl (Rabs y) as By1. assert (Bqw : Rabs (q + w) <= 1002/1000 * Y) by (unfold Y; by_sides).
+  assert (Bw : Rabs w <= 22/10 * Y) by (unfold Y; by_sides). assert (Bv : Rabs q <= 11/10 * Y) by (unfold Y; lra). clear By1.
   assert (Bb : Rabs b <= 10001/10000 * p) by (rewrite Rabs_pos_eq; by_sides). assert (Bu : Rabs (v + u) <= 1003/1000 * z).
-  { rewrite Hq, Hw, <- Rmult_plus_distr_l. eapply Rle_trans; [exact (bounded_product _ _ _ _ Bb Bqw) | unfold z in *; lra]. }
+  { rewrite Hq, Hw, <- Rmult_plus_distr_l. generalize (bounded_product _ _ _ _ Bb Bqw). unfold z in *. lra. }
   set (c := raised_float64.b_low p). assert (Ec : Rabs (c - (p - b)) <= / 2 ^ 77 * p).
   { destruct (relative 53 p (p - b) c eq_refl ltac:(lra) eq_refl) as (d1 & t1 & D1 & T1 & ->). simpl bpow in D1. replace (_ - (p - b)) with ((p - b) *
     d1 + t1 * p) by ring. at_most_by Rabs_triang.
     generalize (bounded_product _ _ _ _ Eb D1) (bounded_product _ _ _ _ T1 Pp). lra. }
   assert (Any : forall f X, Rabs f <= X -> Rabs (rounded f - f) <= / 2 ^ 53 * X + / 2 ^ 100 * z).
-  { intros f X B. assert (T : bpow radix2 (-1074) <= / 2 ^ 100 * negligible) by (replace (/ 2 ^ 100) with (bpow radix2 (-100)) by (simpl; lra); unfold
-    negligible; rewrite <- bpow_plus; apply bpow_le; easy). generalize (one_rounding f). lra. }
+  { intros f X B. generalize (one_rounding f) underflow_is_negligible. lra. }
   assert (Bc : Rabs c <= / 2 ^ 24 * p) by (generalize (size _ _ _ _ Eb Ec); lra).
-  assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bq') | unfold z in *; lra]). assert (Bcw :
-    Rabs (c * w) <= 3 / 2 ^ 24 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Bc Bw) | unfold z in *; lra]).
-  assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (141/100000 * Y) Pp); unfold Y; lra | unfold z
-    in *; lra]).
-  assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (eapply Rle_trans; [exact (bounded_product _ _ _ _ Ec Bqw) | unfold z in *; lra]).
-  assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (eapply Rle_trans; [apply (bounded_product _ _ _ (191/10000 / 2 ^ 53 * Y) Pp);
-    unfold Y; lra | unfold z in *; lra]).
+  assert (Bcq : Rabs (c * q) <= 2 / 2 ^ 24 * z) by (generalize (bounded_product _ _ _ _ Bc Bv); unfold z in *; lra). assert (Bcw :
+    Rabs (c * w) <= 3 / 2 ^ 24 * z) by (generalize (bounded_product _ _ _ _ Bc Bw); unfold z in *; lra).
+  assert (Bpr : Rabs (p * r) <= 141/100000 * z) by (generalize (bounded_product _ r _ (141/100000 * Y) Pp ltac:(unfold Y; lra)); unfold z; lra).
+  assert (E1 : Rabs ((c - (p - b)) * (q + w)) <= 2 / 2 ^ 77 * z) by (generalize (bounded_product _ _ _ _ Ec Bqw); unfold z in *; lra).
+  assert (E2 : Rabs (p * (w + q + r - y)) <= 191/10000 / 2 ^ 53 * z) by (generalize (bounded_product _ (w + q + r - y) _ (191/10000 / 2 ^ 53 * Y) Pp
+    ltac:(unfold Y; lra)); unfold z; lra).
   pose proof Any _ _ Bcq as E3. pose proof Any _ _ Bcw as E4. pose proof Any _ _ Bpr as E5. pose proof sum_within v u _ (Fl _) (Fl _) Bu as Eo. change
     (rounded (v + u)) with o in Eo.
   set (f1 := rounded (c * q)) in *. set (f2 := rounded (c * w)) in *. set (f3 := rounded (p * r)) in *. set (rest := raised_float64.product_rest x p).
@@ -105,8 +99,8 @@ Proof.
   { assert (B : Rabs d <= 20 / 2 ^ 53) by lra. clearbody d. clear - B. both_ways B. interval with (i_taylor d, i_degree 4, i_prec 200). }
   set (k := exp d) in *. assert (K : Rabs (k - 1) <= (26/1000 * Rabs s + 2/1000) / 2 ^ 53) by (replace (k - 1) with (k - 1 - d + d) by ring;
     at_most_by Rabs_triang; lra).
-  assert (K' : v * k <= 1001/1000 * v) by (apply Rle_trans with (v * (1001/1000)); [apply Rmult_le_compat_l; [lra | generalize (Rle_abs (k - 1));
-    lra] | lra]).
+  assert (K' : v * k <= 1001/1000 * v) by (rewrite Rmult_comm; apply Rmult_le_compat_r; [lra | generalize (Rle_abs (k - 1));
+    lra]).
   replace (f - v) with (f - v * k + v * (k - 1)) by ring. at_most_by Rabs_triang. rewrite (Rabs_mult v), (Rabs_pos_eq v) by lra.
   generalize (Rmult_le_compat_l v _ _ (Rlt_le _ _ V) K). assert (0 <= v * Rabs s) by (apply Rmult_le_pos; [lra | apply Rabs_pos]). nra.
 Qed.
