@@ -51,8 +51,8 @@ Proof.
     (k - 52)) by (intros; rewrite ulp_neq_0, (spacing k) by (lia || lra); reflexivity).
   split; apply Rle_antisym.
   - apply round_N_le_midp; [typeclasses eauto | exact F |]. rewrite succ_eq_pos, U by lra. lra.
-  - apply round_ge_generic; [typeclasses eauto.. | exact F | lra].
-  - apply round_le_generic; [typeclasses eauto.. | exact F | lra].
+  - apply round_ge_generic; [typeclasses eauto..| exact F | lra].
+  - apply round_le_generic; [typeclasses eauto..| exact F | lra].
   - destruct (proj1 B) as [Q | Q].
     + apply round_N_ge_midp; [typeclasses eauto | exact F |]. assert (float64 (bpow radix2 k)) by (apply power_float64; lia).
       assert (bpow radix2 k <= pred radix2 (FLT_exp (-1074) 53) u < u) by (split; [apply pred_ge_gt | apply pred_lt_id]; try assumption; lra || typeclasses
@@ -63,7 +63,7 @@ Proof.
         f_equal; ring).
       assert (Tie : rounded ((9007199254740991 + / 2) * bpow radix2 (k - 1 - 52)) = u) by (rewrite rounded_in_binade, nearest_tie by (lia || simpl; lra);
         rewrite <- Q, R; reflexivity).
-      rewrite <- Tie at 1. apply round_le; [typeclasses eauto.. |]. replace (k - 54)%Z with (k - 1 - 53)%Z in A by ring. rewrite half_spacing in A. lra.
+      rewrite <- Tie at 1. apply round_le; [typeclasses eauto..|]. replace (k - 54)%Z with (k - 1 - 53)%Z in A by ring. rewrite half_spacing in A. lra.
 Qed.
 (* The tie, epsilon = s/2: both sums round back where the significand m is even, and both move by s where it is odd. *)
 Lemma tied k m : (-1022 <= k)%Z -> (2 ^ 52 < m < 2 ^ 53 - 1)%Z -> let s := bpow radix2 (k - 52) in let w := IZR m * s in let moved := if Z.even m
