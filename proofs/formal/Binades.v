@@ -148,7 +148,7 @@ Proof.
   cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by
     (unfold epsilon; rewrite half_spacing; field).
   destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
-  destruct (unwrapped _ _ _ _ P N) as [P' N']; [lra.. |]. destruct (arguments_in_v _ _ _ _ F P N) as (P'' & N'' & S); [lra.. |].
+  destruct (unwrapped _ _ _ _ P N) as [P' N']; [lra..|]. destruct (arguments_in_v _ _ _ _ F P N) as (P'' & N'' & S); [lra..|].
   assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F)));
     f_equal; ring).
   assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
@@ -162,7 +162,7 @@ Theorem binades__pole height u k_u k_v epsilon : float64 epsilon -> 0 < epsilon 
   central_any_float64.v_minus 0 epsilon = 0 /\ central_any_float64.span_v 0 epsilon = epsilon /\ central_any_float64.h_v height u 0 k_u k_v
   epsilon = rounded (rounded (height u epsilon k_u k_v - height u 0 k_u k_v) / epsilon).
 Proof.
-  intros E B. destruct (clamped_arguments 0 epsilon (generic_format_0 _ _) E) as (P & M & S); [lra.. |]. rewrite Rplus_0_r, (kept _ E) in P, S.
+  intros E B. destruct (clamped_arguments 0 epsilon (generic_format_0 _ _) E) as (P & M & S); [lra..|]. rewrite Rplus_0_r, (kept _ E) in P, S.
   repeat split; trivial. unfold_difference. rewrite P, M, S. reflexivity.
 Qed.
 
@@ -188,7 +188,8 @@ Proof.
     E); trivial; lra).
   assert (M : central_any_float64.u_minus 0 epsilon = 1).
   { unfold central_any_float64.u_minus. rewrite Rminus_0_l, rounded_opp, (kept _ E). unfold whole_below. rewrite (Zfloor_imp (-1)) by (simpl; lra).
-    replace (- epsilon - -1) with (bpow radix2 0 - epsilon) by (simpl; ring). apply (stays 0 (bpow radix2 0) epsilon); [powers | exact E | powers | | intro; apply B].
+    replace (- epsilon - -1) with (bpow radix2 0 - epsilon) by (simpl; ring). apply (stays 0 (bpow radix2 0) epsilon); [powers | exact E | powers | | intro;
+      apply B].
     generalize (bpow_lt radix2 (-54) (-53) ltac:(easy)). simpl Z.sub. lra. }
   split; [exact P | split; [exact M|]]. unfold_difference. rewrite P, M, H. fold rise.
   replace (1 / 2) with (/ 2) by field. destruct R as [R|R].

@@ -115,7 +115,8 @@ Qed.
 (* A product that is carried in two, its reduction, and the sine and cosine of it. *)
 Lemma half_turns_apart f g (x y : R) : derives_to f g -> (forall x, Rabs (g x) <= 1) -> Rabs (f (PI * x) - f (PI * y)) <= PI * Rabs (x - y).
 Proof.
-  intros D G. pose proof moved_by_at_most f g 1 (PI * y) (PI * x) D G as M. pose proof PI_RGT_0. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI) in
+  intros D G. pose proof moved_by_at_most f g 1 (PI * y) (PI * x) D G as M. pose proof PI_RGT_0. rewrite <- Rmult_minus_distr_l, Rabs_mult, (Rabs_pos_eq PI)
+    in
     M; lra.
 Qed.
 Section product.
@@ -195,7 +196,8 @@ Proof.
 Qed.
 Lemma signs_of_waves : sign (sine_of_half_turns_float64.sine p e) = sign (sin (PI * (a * b))) /\ sign (cosine_of_half_turns_float64.cosine p e) =
   sign (cos (PI * (a * b))).
-Proof. apply (after_quarters (fun x y => sign x = sign y)); [exact sign_of_sine | exact sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity]. Qed.
+Proof. apply (after_quarters (fun x y => sign x = sign y)); [exact sign_of_sine | exact sign_of_cosine | intros x y N; rewrite !sign_opp, N; reflexivity].
+  Qed.
 End product.
 
 Definition carried (a b : R) := float64 a /\ float64 b /\ (a * b = 0 \/ bpow radix2 (-969) <= Rabs (a * b)) /\ Rabs (a * b) <= 2 ^ 21.
@@ -210,7 +212,8 @@ Proof.
 Qed.
 
 Definition slope_off (k : R) := 10 / 9007199254740992 * PI * Rmax 1 (Rabs k).
-Lemma slope_near P ph k m c s ch sh : near_turn ch c -> PI <= P -> Rabs (ph - P) <= 36/100 / 2 ^ 53 * P -> P * Rabs k = PI * Rabs m -> Rabs c <= 1 -> Rabs s <=
+Lemma slope_near P ph k m c s ch sh : near_turn ch c -> PI <= P -> Rabs (ph - P) <= 36/100 / 2 ^ 53 * P -> P * Rabs k = PI * Rabs m -> Rabs c <= 1 -> Rabs s
+  <=
   1 -> near_turn sh s -> Rabs (rounded (rounded (rounded (ph * ch) * k) * sh) - P * c * k * s) <= slope_off m.
 Proof.
   intros Ec Q E W C S Es. assert (P3 : 3 <= PI) by interval. pose proof Rmax_l 1 (Rabs m). pose proof Rmult_le_compat_l PI _ _ ltac:(lra) (Rmax_r 1 (Rabs
@@ -247,7 +250,8 @@ Lemma slope_of_rings v k_v : carried (2 * k_v) v -> float64 k_v -> Rabs (gradien
 Proof.
   intros V F. destruct (factors_near _ _ V) as (_ & C & _). gradient_rings_float64.lines. rewrite (kept _ (twice_float64 _ F)), (kept _ (twice_float64 _
     (rounded_is_float64 PI))).
-  generalize PI_RGT_0 rounded_pi. intros. assert (N := slope_near (2 * PI) (2 * rounded PI) k_v (2 * k_v) _ 1 _ 1 C ltac:(lra)). rewrite <- Rmult_minus_distr_l, !Rabs_mult,
+  generalize PI_RGT_0 rounded_pi. intros. assert (N := slope_near (2 * PI) (2 * rounded PI) k_v (2 * k_v) _ 1 _ 1 C ltac:(lra)). rewrite <-
+    Rmult_minus_distr_l, !Rabs_mult,
     (Rabs_pos_eq 2), Rabs_R1, !Rmult_1_r, (kept _ (rounded_is_float64 _)) in N by lra.
   apply N; try lra; [apply cosine_at_most_1 | at_most_by no_error; lra].
 Qed.

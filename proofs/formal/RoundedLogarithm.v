@@ -48,7 +48,8 @@ Ltac added s f g X := assert (Rabs (f + g) <= X) by by_sides; let E := fresh in
 Lemma high_part x : float64 x -> let h := rounded (rounded (134217729 * x) - rounded (rounded (134217729 * x) - x)) in h = round radix2 (FLT_exp (-1074)
   26) ZnearestE x /\ generic_format radix2 (FLT_exp (-1074) 26) h.
 Proof.
-  intros F h. assert (G : Prec_gt_0 26) by easy. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy) ltac:(easy) x F eq_refl as H.
+  intros F h. assert (G : Prec_gt_0 26) by easy. pose proof Veltkamp_Even radix2 (-1074) 53 (fun n => negb (Z.even n)) 27 ltac:(easy) ltac:(easy) ltac:(easy)
+    ltac:(easy) x F eq_refl as H.
   change (round radix2 (FLT_exp (-1074) 53) ZnearestE) with rounded in H. replace (bpow radix2 27 + 1) with 134217729 in H
     by (simpl; lra).
   rewrite (Rmult_comm x), Rplus_comm in H. rewrite <- (Ropp_involutive (rounded (x - _))), <- rounded_opp, Ropp_minus_distr in H. rewrite (H : h = _).
