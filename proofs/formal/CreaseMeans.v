@@ -117,7 +117,7 @@ Proof.
     apply (ex_RInt_ext (fun x => (C x - PI * INR k * cos (PI * (INR k * (x - a)))) ^ 2)).
     - rewrite Rmin_left, Rmax_right by lra. intros x X. rewrite F by lra. replace x with (IZR (Z.of_nat j) / INR k + (x - a)) at 4 by (rewrite <-
       INR_IZR_INZ; unfold a; ring).
-      rewrite slope_beside, sign_eq_1 by (first [apply Rabs_def1; unfold b in *; lra | lra]). f_equal. ring.
+      rewrite slope_beside, sign_eq_1 by first [apply Rabs_def1; unfold b in *; lra | lra]. f_equal. ring.
     - apply (ex_RInt_continuous (V := R_CompleteNormedModule)). rewrite Rmin_left, Rmax_right by lra. intros x X. apply continuity_pt_filterlim.
       assert (continuity_pt C x) by (apply Cc; lra). reg. }
   specialize (I k (le_n k)). replace (_ / _) with 1 in I by (field; lra). exact I.
@@ -169,7 +169,7 @@ Lemma side_of_a_tent (k epsilon c h s : R) : 0 < epsilon <= h -> s = 1 \/ s = -1
 Proof.
   intros E S. eapply integral_is; [apply (is_RInt_Chasles _ c (c + s * epsilon)); [eapply is_RInt_ext; [|apply (is_RInt_derive (fun x => (PI * k) ^ 2
     * s * (s * (x - c) - epsilon) ^ 3 / (3 * epsilon ^ 2)) (fun x => (PI * k) ^ 2 * (s * (x - c) / epsilon - 1) ^ 2))] | apply nothing]|].
-  - intros x X. unfold tent. unfold Rmin, Rmax in X. destruct S as [-> | ->]; cases; try lra; lra.
+  - intros x X. unfold tent. unfold Rmin, Rmax in X. destruct S as [-> | ->]; cases; lra.
   - intros x _. auto_derive; trivial. destruct S as [-> | ->]; field; lra.
   - intros x _. apply (ex_derive_continuous (fun x => _ ^ 2 * _ ^ 2)). auto_derive. trivial.
   - intros x X. unfold tent. unfold Rmin, Rmax in X. destruct S as [-> | ->]; cases; lra.
