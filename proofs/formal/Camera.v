@@ -29,8 +29,7 @@ Qed.
 Lemma off_axis_far x y e : e <= 10 -> / 1000000000000 <= x ^ 2 + y ^ 2 -> off_axis x y e.
 Proof.
   intros. pose proof tiny_pos. apply Rle_trans with (/ 1000000).
-  -
-    unfold tiny, Rdiv. nra.
+  - unfold tiny, Rdiv. nra.
   - rewrite <- (sqrt_pow2 _) by lra. apply sqrt_le_1_alt. lra.
 Qed.
 
