@@ -17,28 +17,28 @@ Proof.
 Qed.
 Lemma tends_sum (f g : R -> R) (a b l m : R) : tends_to f l -> tends_to g m -> tends_to (fun e => a * f e + b * g e) (a * l + b * m).
 Proof.
-  intros F G. eapply filterlim_comp_2 with (3 := filterlim_plus (a * l) (b * m)); eapply filterlim_comp;
-    [exact F | apply (filterlim_scal_r a l) | exact G | apply (filterlim_scal_r b m)].
+  intros F G. eapply filterlim_comp_2 with (3 := filterlim_plus _ (b * m)); eapply filterlim_comp; [exact F | apply (filterlim_scal_r a l) | exact G
+    | apply (filterlim_scal_r b m)].
 Qed.
 Lemma tends_is (f : R -> R) (l m : R) : tends_to f l -> l = m -> tends_to f m.
 Proof. intros F <-. exact F. Qed.
 Lemma multiple_of_step (c : R) : 0 < c -> filterlim (fun e => c * e) (at_right 0) (at_right 0).
 Proof.
-  intros P A [d B]. exists (mkposreal (d / c) (Rdiv_lt_0_compat _ _ (cond_pos d) P)). intros e E Q. apply B; [|apply Rmult_lt_0_compat; assumption].
-  change (Rabs (e - 0) < d / c) in E. change (Rabs (c * e - 0) < d). rewrite Rminus_0_r in *. rewrite Rabs_mult, (Rabs_pos_eq c) by lra.
-  apply (Rmult_lt_compat_l c) in E; [|exact P]. replace (c * (d / c)) with (d : R) in E by (field; lra). exact E.
+  intros P A [d B]. exists (mkposreal _ (Rdiv_lt_0_compat _ _ (cond_pos d) P)). intros e E Q. apply B; [| nra].
+  change (Rabs (e - 0) < d / c) in E. change (Rabs (c * e - 0) < d). rewrite Rminus_0_r in *. rewrite Rabs_mult, Rabs_pos_eq by lra.
+  apply (Rmult_lt_compat_l c) in E; auto. replace (c * (d / c)) with (d : R) in E by (field; lra). lra.
 Qed.
 
 Lemma slope_of_logarithms (error : R -> R) (p C : R) : tends_to (fun e => error e / Rpower e p) C -> falls_like error p C.
 Proof.
-  intro T. split; [exact T|]. intros N c P U. set (q e := error e / Rpower e p) in *. pose proof multiple_of_step c P as M.
+  intro T. split; auto. intros N c P U. set (q e := error e / Rpower e p) in *. pose proof multiple_of_step c P as M.
   assert (L : tends_to (fun e => ln (Rabs (q e))) (ln (Rabs C))).
-  { apply (filterlim_comp _ _ _ q (fun y => ln (Rabs y)) _ (locally C)); [exact T|]. apply (ex_derive_continuous (fun y => ln (Rabs y))).
-    auto_derive. repeat split; [exact N | apply Rabs_pos_lt, N]. }
+  { apply (filterlim_comp _ _ _ q (fun y => ln (Rabs y)) _ (locally C)); auto. apply (ex_derive_continuous (fun y => ln _)).
+    auto_derive. repeat split; [lra | apply Rabs_pos_lt, N]. }
   assert (Z : at_right 0 (fun e => 0 < e /\ q e <> 0)).
   { apply filter_and; [exists (mkposreal 1 Rlt_0_1); trivial|]. apply (T (fun y => y <> 0)). exists (mkposreal _ (Rabs_pos_lt C N)). intros y B E.
     change (Rabs (y - C) < Rabs C) in B. rewrite E, Rminus_0_l, Rabs_Ropp in B. lra. }
-  assert (W : ln c <> 0) by (rewrite <- ln_1; intro E; apply U, ln_inv; lra).
+  assert (ln c <> 0) by (rewrite <- ln_1; intro E; apply U, ln_inv; lra).
   pose proof tends_sum _ _ (/ ln c) (- / ln c) _ _ (filterlim_comp _ _ _ _ _ _ _ _ M L) L as S.
   apply (tends_is _ (1 * p + 1 * (/ ln c * ln (Rabs C) + - / ln c * ln (Rabs C)))); [|ring].
   eapply filterlim_ext_loc; [|exact (tends_sum _ _ 1 1 _ _ (filterlim_const p) S)].
@@ -62,9 +62,9 @@ Proof.
   assert (Q : F1 c * t ^ S n = F t * (INR (S n) * c ^ n)) by (apply (Rmult_eq_reg_r (t - 0)); lra).
   assert (G : F t / t ^ S n - l / INR (S n) = (F1 c / c ^ n - l) / INR (S n)).
   { replace (F t) with (F1 c * t ^ S n / (INR (S n) * c ^ n)) by (rewrite Q; field; lra). field. lra. }
-  change (Rabs (F t / t ^ S n - l / INR (S n)) < eps). rewrite G. unfold Rdiv at 1. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq (INR _)) by lra.
-  specialize (B c ltac:(change (Rabs (c - 0) < d); rewrite Rminus_0_r, Rabs_pos_eq; lra) ltac:(lra)). change (Rabs (F1 c / c ^ n - l) < eps) in B.
-  apply (Rmult_lt_reg_r (INR (S n))); [lra|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. generalize (cond_pos eps). intro. nra.
+  change (Rabs (F t / t ^ S n - l / INR (S n)) < eps). rewrite G. unfold Rdiv. rewrite Rabs_mult, Rabs_inv, (Rabs_pos_eq (INR _)) by lra.
+  specialize (B c ltac:(change (Rabs (c - 0) < d); rewrite Rabs_pos_eq; lra) ltac:(lra)). change (Rabs (F1 c / c ^ n - l) < eps) in B.
+  apply (Rmult_lt_reg_r (INR (S n))); [lra|]. rewrite Rmult_assoc, Rinv_l by lra. generalize (cond_pos eps). intro. nra.
 Qed.
 Lemma derived (f : R -> R) (l : R) : is_derive f 0 l -> f 0 = 0 -> tends_to (fun t => f t / t ^ 1) l.
 Proof.
@@ -77,8 +77,8 @@ Lemma falls (error F F1 : R -> R) (n : nat) (d l p C : R) : (forall t, is_derive
 Proof.
   intros D Z T N E -> ->. apply slope_of_logarithms.
   apply (tends_ext (fun t => / d * (F t / t ^ S n) + 0 * (F t / t ^ S n)) _ 1); [lra| |].
-  - intros t [P _]. rewrite E, Rpower_pow by exact P. assert (t ^ n <> 0) by (apply pow_nonzero; lra). simpl pow. field. lra.
-  - pose proof integrated F F1 n l D Z T as I. eapply tends_is; [exact (tends_sum _ _ (/ d) 0 _ _ I I) | unfold Rdiv; ring].
+  - intros t [P _]. rewrite E, Rpower_pow by lra. assert (t ^ n <> 0) by (apply pow_nonzero; lra). simpl pow. field. lra.
+  - pose proof integrated F F1 n l D Z T as I. eapply tends_is; [exact (tends_sum _ _ _ 0 _ _ I I) | lra].
 Qed.
 
 (* What is 0 at the step 0, and its derivative there. *)
@@ -130,14 +130,13 @@ Lemma clamped_parts (h h1 : R -> R) (r : R) (n : nat) (l m : R) : (forall w, is_
   falls_like (fun e => clamped h (r * e) e - h1 (r * e)) (INR n) (/ (1 + r) * (l / INR (S n)) - m).
 Proof.
   intros D B K M. apply slope_of_logarithms. apply (tends_is _ (/ (1 + r) * (l / INR (S n)) + -1 * m)); [|ring].
-  assert (L : tends_to (fun e => (h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) / e ^ S n) (l / INR (S n))) by (apply (integrated _ (fun e => (1 + r) * (h1
-    ((1 + r) * e) - h1 0))); [intro; differentiated D | nothing_at_0 | exact K]).
+  assert (L : tends_to (fun e => (h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) / e ^ S n) _) by (apply (integrated _ (fun e => (1 + r) * (h1 ((1 + r)
+    * e) - h1 0))); [intro; differentiated D | nothing_at_0 | exact K]).
   apply (tends_ext (fun e => / (1 + r) * ((h ((1 + r) * e) - h 0 - (1 + r) * e * h1 0) / e ^ S n) + -1 * ((h1 (r * e) - h1 0) / e ^ n)) _ (/ (1 +
-    r)));
-    [apply Rinv_0_lt_compat; lra | | exact (tends_sum _ _ _ _ _ _ L M)].
+    r))); [apply Rinv_0_lt_compat; lra | | exact (tends_sum _ _ _ _ _ _ L M)].
   intros e [P E]. apply (Rmult_le_compat_l (1 + r)) in E; [|lra]. rewrite Rinv_r in E by lra.
-  rewrite Rpower_pow, clamped_is by (exact P || nra). replace (r * e + e) with ((1 + r) * e) by ring. assert (e ^ n <> 0) by (apply pow_nonzero; lra).
-  simpl pow. field. repeat split; lra || assumption.
+  rewrite Rpower_pow, clamped_is by nra. replace (r * e + e) with ((1 + r) * e) by ring. assert (e ^ n <> 0) by (apply pow_nonzero; lra).
+  simpl pow. field. lra.
 Qed.
 Theorem difference_slopes__clamped : clamped_falls False 1 of_second /\ clamped_falls True 2 of_third.
 Proof.
@@ -145,7 +144,7 @@ Proof.
   - pose proof D2 0 as D. replace ((1 - r) / 2 * h2 0) with (/ (1 + r) * ((1 + r) * ((1 + r) * h2 0) / INR 2) - r * h2 0) by (simpl; field; lra).
     apply (clamped_parts h h1 r 1); [exact D1 | exact B | at_0 D | at_0 D].
   - replace (_ * h3) with (/ (1 + r) * ((1 + r) * (1 + r) * ((1 + r) * h3) / INR 2 / INR 3) - r * (r * h3) / INR 2) by (simpl; field; lra).
-    apply (clamped_parts h h1 r 2); [exact D1 | exact B | |].
+    apply clamped_parts; auto.
     + apply (integrated _ (fun e => (1 + r) * (1 + r) * h2 ((1 + r) * e))); [intro; differentiated D2 | nothing_at_0 | at_0 D3].
     + apply (integrated _ (fun e => r * h2 (r * e))); [intro; differentiated D2 | nothing_at_0 | at_0 D3].
 Qed.
@@ -161,34 +160,33 @@ Lemma two_laws error p q C D : falls_like error p C -> falls_like error q D -> (
 Proof. intros A B. destruct (one_law _ _ _ _ _ A B). tauto. Qed.
 Theorem difference_slopes__central__false : ~ central_falls 2 (1/3) /\ ~ central_falls 1 (1/6).
 Proof.
-  assert (exists error, forall p c, central_falls p c -> falls_like error p (c * 6)) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 3)
-    (fun w => 3 * w ^ 2) (fun w => 6 * w) 0); polynomials).
+  assert (exists error, forall p c, central_falls p c -> falls_like error p _) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 3) (fun
+    w => 3 * w ^ 2) (fun w => 6 * w) 0); polynomials).
   split; intro H; apply (two_laws _ _ _ _ _ (A _ _ H) (A _ _ difference_slopes__central)); lra.
 Qed.
 Theorem difference_slopes__forward__false : ~ forward_falls 1 1 /\ ~ forward_falls 2 (1/2).
 Proof.
-  assert (exists error, forall p c, forward_falls p c -> falls_like error p (c * (1 * 2))) as [error A] by (eexists; intros p c H; apply (H (fun w
-    => w ^ 2)
-    (fun w => 2 * w) 1 0); polynomials; left; reflexivity).
+  assert (exists error, forall p c, forward_falls p c -> falls_like error p _) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 2) (fun
+    w => 2 * w) 1 0); polynomials).
   split; intro H; apply (two_laws _ _ _ _ _ (A _ _ H) (A _ _ difference_slopes__forward)); lra.
 Qed.
 Theorem difference_slopes__fourth__false : ~ fourth_falls 4 (1/30) /\ ~ fourth_falls 3 (-1/30).
 Proof.
-  assert (exists error, forall p c, fourth_falls p c -> falls_like error p (c * 120)) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 5)
-    (fun w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0); polynomials).
+  assert (exists error, forall p c, fourth_falls p c -> falls_like error p _) as [error A] by (eexists; intros p c H; apply (H (fun w => w ^ 5) (fun
+    w => 5 * w ^ 4) (fun w => 20 * w ^ 3) (fun w => 60 * w ^ 2) (fun w => 120 * w) 0); polynomials).
   split; intro H; apply (two_laws _ _ _ _ _ (A _ _ H) (A _ _ difference_slopes__fourth)); lra.
 Qed.
 (* Where the second derivative is not 0 at the pole the order is not 2; where it is 0, not 1. *)
 Theorem difference_slopes__clamped__false : ~ clamped_falls False 2 of_third /\ ~ clamped_falls True 1 of_third.
 Proof.
   assert (N : forall r h2 h3, r = 0 -> of_second r h2 h3 = h2 / 2 /\ of_third r h2 h3 = h3 / 6) by (unfold of_second, of_third; intros; subst; lra).
-  assert (D : forall c, (forall w, is_derive (fun w => c * w ^ 2 + w ^ 3) w (2 * c * w + 3 * w ^ 2)) /\
-    (forall w, is_derive (fun w => 2 * c * w + 3 * w ^ 2) w (2 * c + 6 * w)) /\ is_derive (fun w => 2 * c + 6 * w) 0 6).
-  { intro c. split; [|split]; polynomials. }
+  assert (D : forall c, (forall w, is_derive (fun w => c * w ^ 2 + w ^ 3) w (2 * c * w + 3 * w ^ 2)) /\ (forall w, is_derive (fun w => 2 * c * w + 3
+    * w ^ 2) w (2 * c + 6 * w)) /\ is_derive (fun w => 2 * c + 6 * w) 0 6).
+  { split; [|split]; polynomials. }
   destruct difference_slopes__clamped as [F T]. split; intro H.
   - destruct (D 1) as (D1 & D2 & D3). refine (two_laws _ _ _ _ _ (H _ _ _ 0 6 D1 D2 D3 _ _) (F _ _ _ 0 6 D1 D2 D3 _ _) _); [lra | tauto | lra |
     tauto|].
-    destruct (N 0 (2 * 1 + 6 * 0) 6 eq_refl) as [-> ->]. lra.
+    destruct (N 0 (2 * 1 + 6 * 0) 6 eq_refl). lra.
   - destruct (D 0) as (D1 & D2 & D3). refine (two_laws _ _ _ _ _ (H _ _ _ 0 6 D1 D2 D3 _ _) (T _ _ _ 0 6 D1 D2 D3 _ _) _); [lra | lra | lra | lra|].
-    destruct (N 0 (2 * 0 + 6 * 0) 6 eq_refl) as [_ ->]. lra.
+    destruct (N 0 (2 * 0 + 6 * 0) 6 eq_refl). lra.
 Qed.

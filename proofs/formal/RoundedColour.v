@@ -8,14 +8,13 @@ From Formal Require Import Formulas Float Float64 RoundedHalfTurns Rounding Roun
 Open Scope R_scope.
 
 Lemma within_length x L : 0 <= L -> x * x <= L * L -> Rabs x <= L.
-Proof. intros P S. apply less_of_squares; [exact P | unfold Rabs; destruct Rcase_abs; lra]. Qed.
+Proof. intros. apply less_of_squares; [lra | unfold Rabs; destruct Rcase_abs; lra]. Qed.
 (* What is rounded at the scale S, far above what underflows, is S times what is rounded at the scale 1. *)
 Lemma at_scale S x X : 1 / 2 ^ 600 <= S -> Rabs x <= X -> exists y, rounded (S * x) = S * y /\ Rabs (y - x) <= X / 2 ^ 53 + 1 / 2 ^ 100.
 Proof.
-  intros L B. assert (P : 0 < S) by (generalize (pow_lt 2 600); lra). assert (U : underflow <= 1 / 2 ^ 700) by (rewrite inverse_power; apply
-    bpow_le; easy).
-  exists (rounded (S * x) / S). split; [field; lra|]. replace (_ - x) with ((rounded (S * x) - S * x) / S) by (field; lra). apply over_length; [exact P|].
-  at_most_by rounding_error. rewrite Rabs_mult, (Rabs_pos_eq S) by lra. apply Rmult_le_compat_r with (r := S) in B; in_units.
+  intros L B. assert (P : 0 < S) by lra. assert (underflow <= 1 / 2 ^ 700) by (rewrite inverse_power; apply bpow_le; easy).
+  exists (rounded (S * x) / S). split; [field; lra|]. replace (_ - x) with ((rounded (S * x) - S * x) / S) by (field; lra). apply over_length; auto.
+  at_most_by rounding_error. rewrite Rabs_mult, Rabs_pos_eq by lra. apply Rmult_le_compat_r with (r := S) in B; in_units.
 Qed.
 
 (* A component h near that of the formulas, m, of a vector of length 1. *)
@@ -26,9 +25,9 @@ Variables m1 m2 m3 h1 h2 h3 L : R.
 Hypothesis LL : L * L = m1 * m1 + m2 * m2 + m3 * m3.
 Hypothesis low : 1 / 2 ^ 20 <= L.
 Lemma components_short : m1 * m1 <= L * L /\ m2 * m2 <= L * L /\ m3 * m3 <= L * L.
-Proof. rewrite LL. repeat split; nra. Qed.
+Proof. nra. Qed.
 Lemma component_of_unit m : m * m <= L * L -> Rabs (/ L * m) <= 1.
-Proof. intro M. rewrite Rmult_comm. apply over_length; [lra|]. rewrite Rmult_1_l. apply within_length; lra. Qed.
+Proof. intro. rewrite Rmult_comm. apply over_length; [lra|]. apply within_length; lra. Qed.
 Hypothesis off_by_1 : Rabs (h1 - m1) <= 9/4 * unit53 * L.
 Hypothesis off_by_2 : Rabs (h2 - m2) <= 9/4 * unit53 * L.
 Hypothesis off_by_3 : Rabs (h3 - m3) <= 9/4 * unit53 * L.
@@ -37,38 +36,38 @@ Let r := rounded (sqrt q).
 Let c := rounded (1 / r).
 Lemma square_moved h m : Rabs (h - m) <= 9/4 * unit53 * L -> Rabs (h * h - m * m) <= unit53 * (39/10 * (m * m) + 13/10 * (L * L)).
 Proof.
-  intro E. both_ways E. assert (Q : (h - m) * (h - m) <= 9/4 * unit53 * L * (9/4 * unit53 * L)) by nra.
+  intro E. both_ways E. assert ((h - m) * (h - m) <= 9/4 * unit53 * L * (9/4 * unit53 * L)) by nra.
   generalize (Rle_0_sqr L) (Rle_0_sqr (39/10 * unit53 * m - (h - m))) (Rle_0_sqr (39/10 * unit53 * m + (h - m))). unfold Rsqr. intros. sizes.
 Qed.
 Lemma square_of_length : Rabs (q - L * L) <= 111/10 * unit53 * (L * L).
 Proof.
-  assert (V : 1 / 2 ^ 40 <= L * L) by nra. pose proof underflow_is_small as T. pose proof square_moved h1 m1 off_by_1 as S1. pose proof square_moved h2
-    m2 off_by_2 as S2. pose proof square_moved h3 m3 off_by_3 as S3.
-  unfold q. rounds p1 (h1 * h1). rounds p2 (h2 * h2). rounds p3 (h3 * h3). rounds s (p1 + p2). rounds o (s + p3). rewrite LL in *. sizes.
+  assert (1 / 2 ^ 40 <= L * L) by nra. pose proof underflow_is_small. pose proof square_moved h1 m1 off_by_1. pose proof square_moved h2 m2 off_by_2.
+    pose proof square_moved h3 m3 off_by_3.
+  unfold q. rounds p1 (h1 * h1). rounds p2 (h2 * h2). rounds p3 (h3 * h3). rounds s (p1 + p2). rounds o (s + p3). sizes.
 Qed.
 Lemma length_rounded : L * (1 - 67/10 * unit53) <= r <= L * (1 + 67/10 * unit53).
 Proof.
-  pose proof square_of_length as Q. both_ways Q. pose proof underflow_is_small as T.
-  assert (q0 : 0 <= q) by in_units. pose proof sqrt_sqrt q q0 as W. pose proof sqrt_pos q as Wp. unfold r. set (w := sqrt q) in *.
-  assert (U : w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; [in_units | rewrite W; unfold unit53 in *; nra]).
-  assert (D : L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [exact Wp | rewrite W; unfold unit53 in *; nra]).
-  pose proof counted w Wp as R. set (l := rounded w) in *. in_units.
+  pose proof square_of_length as Q. both_ways Q. pose proof underflow_is_small.
+  pose proof sqrt_sqrt q as W. pose proof sqrt_pos q. unfold r. set (w := sqrt q) in *.
+  assert (w <= L * (1 + 56/10 * unit53)) by (apply less_of_squares; in_units).
+  assert (L * (1 - 56/10 * unit53) <= w) by (apply less_of_squares; [lra | rewrite W; unfold unit53 in *; nra]).
+  pose proof counted w. in_units.
 Qed.
 Hypothesis high : L <= 2 ^ 450.
 Lemma scale_of_length : Rabs (c * L - 1) <= 8 * unit53.
 Proof.
-  pose proof length_rounded as B. unfold c. assert (l0 : 0 < r) by in_units. assert (D : Rabs (L / r - 1) <= 68/10 * unit53) by (replace (_ - 1) with
-    ((L - r) / r) by (field; lra); apply over_length; [exact l0 | sizes]).
+  pose proof length_rounded. unfold c. assert (0 < r) by in_units. assert (Rabs (L / r - 1) <= 68/10 * unit53) by (replace (_ - 1) with ((L - r) / r)
+    by (field; lra); apply over_length; sizes).
   replace (1 / r) with (/ L * (L / r)) by (field; lra). destruct (at_scale (/ L) (L / r) (1 + 68/10 * unit53)) as (y & -> & E); [apply Rmult_le_reg_r
     with L; [|rewrite Rinv_l]; lra | sizes|].
-  replace (/ L * y * L) with y by (field; lra). sizes.
+  replace (_ * _) with y by (field; lra). sizes.
 Qed.
 Lemma component_normalised h m : Rabs (h - m) <= 9/4 * unit53 * L -> m * m <= L * L -> near_unit (rounded (c * h)) (/ L * m).
 Proof.
-  intros E M. pose proof component_of_unit m M as X. split; [|exact X]. assert (Y : Rabs (/ L * h - / L * m) <= 9/4 * unit53) by (replace (_ - _) with
-    ((h - m) / L) by (field; lra); apply over_length; [lra | exact E]).
-  replace (c * h) with (c * L * (/ L * h)) by (field; lra). replace (/ L * m) with (1 * (/ L * m)) at 1 by ring. eapply Rle_trans; [apply (times_error
-    _ _ _ _ 1 1 _ _ ltac:(rewrite Rabs_R1; lra) X scale_of_length Y) | in_units].
+  intros E M. pose proof component_of_unit m M as X. split; auto. assert (Y : Rabs (/ L * h - / L * m) <= 9/4 * unit53) by (replace (_ - _) with ((h
+    - m) / L) by lra; apply over_length; lra).
+  replace (c * h) with (c * L * (/ L * h)) by (field; lra). replace (/ L * m) with (1 * (/ L * m)) by ring. eapply Rle_trans; [apply (times_error _ _
+    _ _ 1 1 _ _ ltac:(rewrite Rabs_R1; lra) X scale_of_length Y) | in_units].
 Qed.
 Lemma direction_rounded : near_unit (rounded (c * h1)) (/ L * m1) /\ near_unit (rounded (c * h2)) (/ L * m2) /\ near_unit (rounded (c * h3)) (/ L * m3).
 Proof. destruct components_short as (? & ? & ?). split; [|split]; apply component_normalised; assumption. Qed.
@@ -82,7 +81,7 @@ Ltac of_length x y z := set (v := x * x + y * y + z * z); replace (x ^ 2 + y ^ 2
   assert (Lu : L <= 2 ^ 450) by (apply less_of_squares; [apply pow_le; lra | rewrite LL, <- pow_add; apply V]); destruct (components_short x y z L LL)
     as (Sx & Sy & Sz).
 Lemma not_moved h L : 1 / 2 ^ 20 <= L -> Rabs (h - h) <= 9/4 * unit53 * L.
-Proof. intro P. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. in_units. Qed.
+Proof. rewrite Rminus_diag_eq, Rabs_R0 by reflexivity. in_units. Qed.
 Lemma component_rounded b g n L : 1 / 2 ^ 20 <= L -> (b * g) * (b * g) <= L * L -> (b * g + n) * (b * g + n) <= L * L -> Rabs (rounded (rounded (b
   * g) + n) - (b * g + n)) <= 9/4 * unit53 * L.
 Proof.
@@ -95,7 +94,7 @@ Lemma normal_near nx ny nz gx gy gz b : let m2 := (b * gx + nx) ^ 2 + (b * gy + 
   gy gz b) /\ near_unit (perturbed_float64.bumped_y nx ny nz gx gy gz b) (perturbed.bumped_y nx ny nz gx gy gz b) /\ near_unit
   (perturbed_float64.bumped_z nx ny nz gx gy gz b) (perturbed.bumped_z nx ny nz gx gy gz b).
 Proof.
-  intros m2 M Bx By Bz. unfold m2 in *. perturbed_float64.lines; perturbed.lines. of_length (b * gx + nx) (b * gy + ny) (b * gz + nz). unfold v in LL.
+  intros m2 M Bx By Bz. unfold m2 in *. perturbed.lines. of_length (b * gx + nx) (b * gy + ny) (b * gz + nz).
   apply direction_rounded; try apply component_rounded; unfold v in *; lra.
 Qed.
 Lemma towards_near px py pz lx ly lz : let d2 := (lx - px) ^ 2 + (ly - py) ^ 2 + (lz - pz) ^ 2 in / 1099511627776 <= d2 <= 2 ^ 900 -> near_unit
@@ -103,13 +102,11 @@ Lemma towards_near px py pz lx ly lz : let d2 := (lx - px) ^ 2 + (ly - py) ^ 2 +
   (light_direction_float64.towards_y px py pz lx ly lz) (light_direction.towards_y px py pz lx ly lz) /\ near_unit
   (light_direction_float64.towards_z px py pz lx ly lz) (light_direction.towards_z px py pz lx ly lz).
 Proof.
-  intros d2 D. unfold d2 in *. light_direction_float64.lines; light_direction.lines. of_length (lx - px) (ly - py) (lz - pz).
+  intros d2 D. unfold d2 in *. light_direction.lines. of_length (lx - px) (ly - py) (lz - pz).
   apply direction_rounded; try assumption; (eapply Rle_trans; [apply (rounded_error _ L), within_length; lra | in_units]).
 Qed.
 Theorem colour_accuracy__normal : Statements.colour_accuracy__normal.
-Proof.
-  red. intros. destruct (normal_near normal_x normal_y normal_z g_x g_y g_z beta) as ([] & [] & []); try (simpl; lra). in_units.
-Qed.
+Proof. red. intros. destruct (normal_near normal_x normal_y normal_z g_x g_y g_z beta) as ([] & [] & []); try lra. in_units. Qed.
 (* The highlight's base: Phong's is made of sums and products, *)
 Ltac sums := lazymatch goal with
   | |- Rabs (rounded (_ + _) - (_ + _)) <= _ => eapply both_error; [find_bound | sums | sums]
@@ -117,8 +114,7 @@ Ltac sums := lazymatch goal with
   | |- Rabs (rounded (_ * _) - _ * _) <= _ => eapply Rle_trans; [eapply times_error; [find_bound | find_bound | sums | sums] | find_bound]
   | |- _ => first [eassumption | apply no_error] end.
 Theorem colour_accuracy__phong : Statements.colour_accuracy__phong.
-Proof. red. intros. phong_highlight_float64.lines; phong_highlight.lines. at_most_by clamp_is_lipschitz.
-  eapply Rle_trans; [sums | interval]. Qed.
+Proof. red. intros. at_most_by clamp_is_lipschitz. eapply Rle_trans; [sums | interval]. Qed.
 (* The product of a normal and a vector of that length, of any length. *)
 Lemma along_rounded nx ny nz hx hy hz L : 1 / 2 ^ 20 <= L -> hx * hx <= L * L -> hy * hy <= L * L -> hz * hz <= L * L -> Rabs nx <= /
   1099511627776 + 1 -> Rabs ny <= / 1099511627776 + 1 -> Rabs nz <= / 1099511627776 + 1 -> let d := rounded (rounded (rounded (nx * hx) + rounded
@@ -134,49 +130,48 @@ Qed.
 Theorem colour_accuracy__blinn : Statements.colour_accuracy__blinn.
 Proof.
   intros nx ny nz hx hy hz _ _ _ _ _ _ low high Bx By Bz. blinn_highlight_float64.lines; blinn_highlight.lines. of_length hx hy hz.
-  pose proof length_rounded hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1) as R. set (l := rounded (sqrt _)) in
-    *. assert (l0 : 0 < l) by in_units.
-  destruct (Rlt_dec 0 l) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0).
+  pose proof length_rounded hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1). set (l := rounded _) in *. assert
+    (l0 : 0 < l) by in_units.
+  destruct Rlt_dec as [_|N]; [|contradiction]. destruct (Rlt_dec 0 L) as [_|N]; [|lra]. rewrite (Rmax_comm _ 0).
     at_most_by clamp_is_lipschitz.
   destruct (along_rounded nx ny nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D G]. set (d := rounded (_ + rounded (nz * hz))) in *. set (g := nx * hx + ny
     * hy + nz * hz) in *.
   pose proof over_length g _ L ltac:(lra) G as B. assert (Y : Rabs (d / l - g / L) <= 285/10 * unit53).
   { replace (d / l - g / L) with ((d - g - g / L * (l - L)) / l) by (field; lra). apply over_length; [exact l0|]. assert (E : Rabs (g / L * (l - L))
-    <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; factors; [exact B | apply Rabs_le; lra]). set (x := g
-    / L * _) in *. sizes. }
+    <= 301/100 * (67/10 * unit53 * L)) by (rewrite Rabs_mult; factors; [exact B | apply Rabs_le; lra]). set (x := g / L * _) in *. sizes. }
   eapply Rle_trans; [exact (through _ _ _ _ _ (rounded_error _ _ (size _ _ _ _ B Y)) Y) | in_units].
 Qed.
 (* Its square divides by a square, and by a distance with which it was multiplied. *)
 Theorem colour_accuracy__squared : Statements.colour_accuracy__squared.
 Proof.
   intros nx ny nz hx hy hz d _ _ _ _ _ _ _ low high dl dh Bx By Bz. squared_highlight_float64.lines; squared_highlight.lines. of_length hx hy hz.
-  pose proof square_of_length hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1) as Q. destruct (along_rounded nx ny
-    nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D _].
-  assert (C : (nx * hx + ny * hy + nz * hz) * (nx * hx + ny * hy + nz * hz) <= 30001/10000 * v).
+  pose proof square_of_length hx hy hz hx hy hz L LL L1 (not_moved hx L L1) (not_moved hy L L1) (not_moved hz L L1) as Q. destruct (along_rounded nx
+    ny nz hx hy hz L L1 Sx Sy Sz Bx By Bz) as [D _].
+  assert ((nx * hx + ny * hy + nz * hz) * (nx * hx + ny * hy + nz * hz) <= 30001/10000 * v).
   { assert (S : forall n, Rabs n <= / 1099511627776 + 1 -> n * n <= 1 + 1 / 2 ^ 30) by (intros n N; both_ways N; nra). apply Rle_trans with ((nx * nx
     + ny * ny + nz * nz) * v); [|apply Rmult_le_compat_r; [lra | generalize (S _ Bx) (S _ By) (S _ Bz); lra]].
     unfold v. generalize (Rle_0_sqr (nx * hy - ny * hx)) (Rle_0_sqr (nx * hz - nz * hx)) (Rle_0_sqr (ny * hz - nz * hy)). unfold Rsqr. lra. }
   rewrite LL in Q. set (h := rounded (_ + rounded (hz * hz))) in *. set (e := nx * hx + ny * hy + nz * hz) in *. pose proof Rle_trans _ _ _
     (clamp_is_lipschitz _ e) D as M. set (A := Rmax 0 (rounded _)) in *.
-  assert (B2 : 0 <= Rmax 0 e /\ Rmax 0 e * Rmax 0 e <= 30001/10000 * v) by (unfold Rmax; destruct Rle_dec; lra). set (B := Rmax 0 e) in *. set (X := v
-    * d). clearbody h A B. assert (Vu : v <= 2 ^ 400) by (unfold v; lra).
+  assert (B2 : 0 <= Rmax 0 e /\ Rmax 0 e * Rmax 0 e <= 30001/10000 * v) by (unfold Rmax; destruct Rle_dec; lra). set (B := Rmax 0 e) in *. set (X :=
+    v * d). clearbody h A B. assert (Vu : v <= 2 ^ 400) by (unfold v; lra).
   assert (h0 : 0 < h) by sizes. destruct (Rlt_dec 0 h) as [_|N]; [|contradiction]. destruct (Rlt_dec 0 v) as [_|N]; [|lra].
   assert (Xl : 1 / 2 ^ 60 <= X) by (apply Rle_trans with (1 / 2 ^ 40 * / 1048576); [lra | apply Rmult_le_compat; lra]). assert (Xu : X <= 2 ^ 600) by
     (change 600%nat with (400 + 200)%nat; rewrite pow_add; apply Rmult_le_compat; lra).
-  set (a := A / L). set (b := B / L). assert (b2 : B * B = v * (b * b)) by (unfold b; rewrite <- LL; field; lra). assert (bb : 0 <= b * b <= 30001/10000)
-    by (split; [exact (Rle_0_sqr b) | apply Rmult_le_reg_l with v; lra]).
+  set (a := A / L). set (b := B / L). assert (b2 : B * B = v * (b * b)) by (unfold b; rewrite <- LL; field; lra). assert (bb : 0 <= b * b <=
+    30001/10000) by (split; [exact (Rle_0_sqr b) | apply Rmult_le_reg_l with v; lra]).
   assert (b1 : 0 <= b <= 1733/1000) by (split; [apply Rdiv_le_0_compat | apply less_of_squares]; lra).
   assert (F : Rabs (a - b) <= 81/10 * unit53) by (unfold a, b; replace (_ - _) with ((A - B) / L) by (field; lra); apply over_length; lra).
-  replace (A * A) with (v * (a * a)) by (unfold a; rewrite <- LL; field; lra). replace (B ^ 2 * d * (1 / X)) with (b * b * 1) by (unfold X; replace (B
-    ^ 2) with (B * B) by ring; rewrite b2; field; lra).
-  assert (F2 : Rabs (a * a - b * b) <= 283/10 * unit53) by (replace (a * a - b * b) with ((2 * b + (a - b)) * (a - b)) by ring; set (o := a - b) in *;
-    unfold unit53 in *; interval).
+  replace (A * A) with (v * (a * a)) by (unfold a; rewrite <- LL; field; lra). replace (B ^ 2 * d * (1 / X)) with (b * b * 1) by (unfold X; replace
+    (B ^ 2) with (B * B) by ring; rewrite b2; field; lra).
+  assert (F2 : Rabs (a * a - b * b) <= 283/10 * unit53) by (replace (a * a - b * b) with ((2 * b + (a - b)) * (a - b)) by ring; set (o := a - b) in
+    *; unfold unit53 in *; interval).
   destruct (at_scale v (a * a) (30002/10000)) as (p & -> & P); [lra | sizes|]. replace (v * p * d) with (X * p) by (unfold X; ring). destruct
     (at_scale X p (30003/10000)) as (y & -> & Y); [lra | sizes|].
   assert (N : Rabs (h / v - 1) <= 111/10 * unit53) by (replace (_ - 1) with ((h - v) / v) by (field; lra); apply over_length; lra). replace (h * d)
     with (X * (h / v)) by (unfold X; field; lra). destruct (at_scale X (h / v) (101/100)) as (q & -> & E); [lra | sizes|]. assert (q0 : 0 < q) by
-    sizes. assert (J : Rabs (1 / q - 1) <= 1213/100 * unit53) by (replace (_ - 1) with ((1 - q) / q) by (field; lra); apply over_length; [exact q0 |
-    sizes]).
+      sizes. assert (J : Rabs (1 / q - 1) <= 1213/100 * unit53) by (replace (_ - 1) with ((1 - q) / q) by (field; lra); apply over_length; [exact q0
+        | sizes]).
   replace (1 / (X * q)) with (/ X * (1 / q)) by (field; lra). destruct (at_scale (/ X) (1 / q) (101/100)) as (k & -> & K); [unfold Rdiv; rewrite
     Rmult_1_l; apply Rinv_le_contravar; lra | sizes|].
   replace (X * y * (/ X * k)) with (y * k) by (field; lra). eapply Rle_trans; [apply (times_error _ _ _ _ (30001/10000) 1 (345/10 * unit53) (132/10 *

@@ -21,12 +21,11 @@ Proof.
   - intros (s & [S0 S1] & Q). pose proof Rmult_le_pos _ _ A (pow2_ge_0 s) as V.
     pose proof Rmult_le_pos _ _ A (pow2_ge_0 (1 - s)) as W.
     assert (0 < b) by (apply (Rmult_lt_reg_r s); lra). assert (b < a) by (apply (Rmult_lt_reg_r (1 - s)); lra).
-    assert (d = (a * s - b) ^ 2) 
-      by (replace ((a * s - b) ^ 2) with (b ^ 2 - a * c + a * (a * s ^ 2 - 2 * b * s + c)) by ring; rewrite Q, D; ring).
+    assert (d = (a * s - b) ^ 2) by (replace ((a * s - b) ^ 2) with (b ^ 2 - a * c + a * (a * s ^ 2 - 2 * b * s + c)) by ring; rewrite Q, D; ring).
     pose proof (pow2_ge_0 (a * s - b)). lra.
-  - intros (P & B0 & B1). destruct (near_root a b c d) as (T & V & Q & _); try lra.
-    pose proof (sqrt_pos d). eexists. split; [split; [exact T |] | exact Q].
-    apply (Rmult_lt_reg_l a); [lra |]. rewrite V. lra.
+  - intros. destruct (near_root a b c d) as (T & V & Q & _); try lra.
+    pose proof (sqrt_pos d). eexists. split; [split; [exact T |] | lra].
+    apply (Rmult_lt_reg_l a); [lra |]. lra.
 Qed.
 
 (* |P + s a - C|^2 - r^2 = |a|^2 s^2 - 2 (a.w) s + |w|^2 - r^2, with a = L - P, w = C - P: a quadratic whose
@@ -37,7 +36,7 @@ Lemma occlusion_by_signs_quadratic s px py pz lx ly lz cx cy cz r : let a2 := sh
   (ly - py) (lz - pz) (cx - px) (cy - py) (cz - pz) /\ apart2 (px + s * (lx - px)) (py + s * (ly - py)) (pz + s * (lz - pz)) cx cy cz - r ^ 2 = a2
   * s ^ 2 - 2 * aw * s + (apart2 cx cy cz px py pz - r ^ 2) /\ shadow.shadow_discriminant px py pz lx ly lz cx cy cz r = aw ^ 2 - a2 * (apart2 cx
   cy cz px py pz - r ^ 2).
-Proof. intros a2 aw. unfold a2, aw, apart2. shadow_lines. repeat split; ring. Qed.
+Proof. intros a2 aw. unfold a2, aw, apart2. shadow_lines. lra. Qed.
 
 (* P and L are outside the sphere about C: then |P + s (L - P) - C| = r for some s in (0, 1) exactly if d >= 0 and
    0 < a.w < |a|^2. *)
@@ -46,22 +45,20 @@ Theorem occlusion_by_signs__iff px py pz lx ly lz cx cy cz r : 0 < r -> r < sqrt
   shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\ 0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz
   lx ly lz).
 Proof.
-  intros Hr P L. assert (Z : forall a b c d e f, 0 <= apart2 a b c d e f) by (intros; unfold apart2; squares).
+  intros Hr P L. assert (Z : forall a b c d e f, 0 <= apart2 a b c d e f) by (intros; squares).
   assert (O : forall n, 0 <= n -> r < sqrt n -> 0 < n - r ^ 2).
-  { intros n N S. pose proof (sqrt_sqrt n N). nra. }
+  { intros n N S. pose proof (sqrt_sqrt n). nra. }
   destruct (occlusion_by_signs_quadratic 1 px py pz lx ly lz cx cy cz r) as (_ & _ & E & D).
-  rewrite <- (root_between _ _ (apart2 cx cy cz px py pz - r ^ 2) _); [| shadow_lines; squares | apply O;
-    auto | | exact D].
-  - split; intros (s & S & Q); exists s; (split; [exact S |]);
-      destruct (occlusion_by_signs_quadratic s px py pz lx ly lz cx cy cz r) as (_ & _ & K & _).
+  rewrite <- (root_between _ _ (apart2 cx cy cz px py pz - r ^ 2) _); [| shadow_lines; squares | apply O; auto | | lra].
+  - split; intros (s & S & Q); exists s; (split; auto); destruct (occlusion_by_signs_quadratic s px py pz lx ly lz cx cy cz r) as (_ & _ & K & _).
     + rewrite <- K, <- Q, pow2_sqrt by auto. ring.
     + apply sqrt_is; lra.
   - replace (apart2 _ _ _ cx cy cz) with (apart2 cx cy cz lx ly lz) in E by (unfold apart2; ring).
-    pose proof (O _ (Z cx cy cz lx ly lz) L). lra.
+    pose proof (O _ (Z cx cy cz lx ly lz)). lra.
 Qed.
 
 Lemma apart_axis x : 0 <= x -> sqrt (apart2 0 0 0 x 0 0) = x.
-Proof. intros X. apply sqrt_is; [exact X | unfold apart2; ring]. Qed.
+Proof. intros X. apply sqrt_is; [lra | unfold apart2; ring]. Qed.
 
 Theorem occlusion_by_signs__iff__point : exists px py pz lx ly lz cx cy cz r, 0 < r /\ r < sqrt (apart2 cx cy cz px py pz) /\ r < sqrt (apart2 cx
   cy cz lx ly lz).
@@ -74,17 +71,14 @@ Theorem occlusion_by_signs__iff__false : ~ forall px py pz lx ly lz cx cy cz r, 
 Proof.
   intros F. specialize (F 2 0 0 3 0 0 0 0 0 1 ltac:(lra)). rewrite !apart_axis in F by lra.
   specialize (F ltac:(lra) ltac:(lra)). destruct F as (s & S & E); [shadow_lines; lra |].
-  replace (0 + s * (0 - 0)) with 0 in E by ring. replace (apart2 _ _ _ _ _ _) with ((2 + s * (3 - 2)) ^ 2) in E
-    by (unfold apart2; ring). rewrite sqrt_pow2 in E; lra.
+  replace (apart2 _ _ _ _ _ _) with ((2 + s * (3 - 2)) ^ 2) in E by (unfold apart2; ring). rewrite sqrt_pow2 in E; lra.
 Qed.
 
 (* The program reports exactly these signs. *)
 Theorem occlusion_by_signs__numerators px py pz lx ly lz cx cy cz r : let signs := 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz r /\
   0 < shadow.toward_center px py pz lx ly lz cx cy cz < shadow.segment_squared px py pz lx ly lz in (shadow.occluded px py pz lx ly lz cx cy cz r
   = 1 <-> signs) /\ (shadow.occluded px py pz lx ly lz cx cy cz r = 0 <-> ~ signs).
-Proof.
-  intros signs. unfold signs, shadow.occluded. destruct both as [[[A B] C] | [[N | N] | N]]; split; split; intros; lra.
-Qed.
+Proof. intros signs. unfold signs, shadow.occluded. destruct both; lra. Qed.
 
 (* Not the first alone. *)
 Theorem occlusion_by_signs__numerators__false : ~ forall px py pz lx ly lz cx cy cz r, 0 <= shadow.shadow_discriminant px py pz lx ly lz cx cy cz
@@ -123,8 +117,8 @@ Lemma from_the_light x y lx ly lz cx cy cz r :
   shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = hit_of_b.discriminant_b (x - lx) (y - ly) lz (cx - lx) (cy - ly) cz r /\
   (cast_away x y lx ly lz cx cy cz <-> 0 < b) /\ (cast_back x y lx ly lz cx cy cz <-> b < 0).
 Proof.
-  intro b. assert (B : shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz = b)
-    by (unfold b; hit_of_b.lines; shadow_lines; ring).
+  intro b. assert (shadow.segment_squared x y 0 lx ly lz - shadow.toward_center x y 0 lx ly lz cx cy cz = b) by (unfold b; hit_of_b.lines;
+    shadow_lines; ring).
   unfold cast_away, cast_back. split; [hit_of_b.lines; shadow_lines; ring | lra].
 Qed.
 
@@ -135,7 +129,7 @@ Ltac moved_by_the_light x y := match goal with |- context [x + ?lx - ?lx] => rep
 Theorem shadow_of_b_on_floor__real lx ly lz cx cy cz r : 0 < lz -> 0 < r -> 0 < c_of_b lz (cx - lx) (cy - ly) cz r -> r ^ 2 <= (lz - cz) ^ 2 ->
   exists x y, shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0.
 Proof.
-  intros L P C H. destruct (silhouette_of_b__real lz (cx - lx) (cy - ly) cz r L P C H) as (x & y & D). exists (x + lx), (y + ly).
+  intros L P C H. destruct (silhouette_of_b__real lz _ _ cz r L P C H) as (x & y & D). exists (x + lx), (y + ly).
   rewrite (proj1 (from_the_light _ _ _ _ _ _ _ _ _)). moved_by_the_light x y.
 Qed.
 
@@ -154,16 +148,16 @@ Theorem shadow_of_b_on_floor__two_branches lx ly lz cx cy cz r : 0 < lz -> 0 < c
   shadow.shadow_discriminant x y 0 lx ly lz cx cy cz r = 0 /\ cast_back x y lx ly lz cx cy cz) /\ (forall x y, 0 <= shadow.shadow_discriminant x y
   0 lx ly lz cx cy cz r -> cast_away x y lx ly lz cx cy cz \/ cast_back x y lx ly lz cx cy cz).
 Proof.
-  intros L C H. destruct (silhouette_of_b__two_branches lz (cx - lx) (cy - ly) cz r L C) as [(x1 & y1 & D1) (x2 & y2 & D2)]; [nra |].
+  intros L C H. destruct (silhouette_of_b__two_branches lz _ (cy - ly) cz r L C) as [(x1 & y1 & D1) (x2 & y2 & D2)]; [nra |].
   split; [exists (x1 + lx), (y1 + ly) | split; [exists (x2 + lx), (y2 + ly) |]].
   - destruct (from_the_light (x1 + lx) (y1 + ly) lx ly lz cx cy cz r) as (-> & -> & _). moved_by_the_light x1 y1.
   - destruct (from_the_light (x2 + lx) (y2 + ly) lx ly lz cx cy cz r) as (-> & _ & ->). moved_by_the_light x2 y2.
   - intros x y. destruct (from_the_light x y lx ly lz cx cy cz r) as (-> & -> & ->).
     destruct (quadratic_of_b 0 (x - lx) (y - ly) lz (cx - lx) (cy - ly) cz r) as (_ & _ & ->). intro D.
-    assert (0 < dot3 (x - lx) (y - ly) (- lz) (x - lx) (y - ly) (- lz))
-      by (unfold dot3; pose proof (pow2_ge_0 (x - lx)); pose proof (pow2_ge_0 (y - ly)); nra).
-    set (b := hit_of_b.toward_b (x - lx) _ _ _ _ _) in *. destruct (Rtotal_order b 0) as [N | [Z | P]]; [right; exact N | | left; exact P].
-    rewrite Z in D. nra.
+    assert (0 < dot3 (x - lx) (y - ly) (- lz) (x - lx) (y - ly) (- lz)) by (unfold dot3; pose proof (pow2_ge_0 (x - lx)); pose proof (pow2_ge_0 (y -
+      ly)); nra).
+    set (b := hit_of_b.toward_b (x - lx) _ _ _ _ _) in *. destruct (Rtotal_order b 0) as [N | [Z | P]]; auto.
+    nra.
 Qed.
 
 Theorem shadow_of_b_on_floor__two_branches__point : exists lx ly lz cx cy cz r, 0 < lz /\ 0 < c_of_b lz (cx - lx) (cy - ly) cz r /\ cz - r < lz <
@@ -193,7 +187,7 @@ Proof. exists 1, 2. lra. Qed.
 (* Not if L_z = R. *)
 Theorem shadow_of_a_on_floor__ellipse__false : ~ forall lx ly lz r, 0 < r <= lz -> let c := lx ^ 2 + ly ^ 2 + lz ^ 2 - r ^ 2 in 0 < (lx ^ 2 - c) *
   (ly ^ 2 - c) - (lx * ly) ^ 2.
-Proof. intros F. generalize (F 1 0 1 1 ltac:(lra)). cbv zeta. lra. Qed.
+Proof. intros F. generalize (F 1 0 1 1). lra. Qed.
 
 (* The shadow is its part with 0 < a.w' < |a|^2, beyond A: 0 < a.w' says P.L < |P|^2. *)
 Theorem shadow_of_a_on_floor__beyond_a x y lx ly lz r : 0 < r -> r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) -> r < sqrt (x ^ 2 + y ^ 2) ->
@@ -202,17 +196,16 @@ Theorem shadow_of_a_on_floor__beyond_a x y lx ly lz r : 0 < r -> r < sqrt (lx ^ 
   0 x y 0 /\ cast_away x y lx ly lz 0 0 0)) /\ (r <= lz -> (exists s, 0 < s < 1 /\ sqrt (apart2 (x + s * (lx - x)) (y + s * (ly - y)) (0 + s * (lz
   - 0)) 0 0 0) = r) <-> (0 <= shadow.shadow_discriminant x y 0 lx ly lz 0 0 0 r /\ dot3 x y 0 lx ly lz < dot3 x y 0 x y 0)).
 Proof.
-  intros R L P. assert (T : shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz)
-    by (shadow_lines; ring). split; [exact T |].
-  rewrite (occlusion_by_signs__iff x y 0 lx ly lz 0 0 0 r R), T.
+  intros R L P. assert (T : shadow.toward_center x y 0 lx ly lz 0 0 0 = dot3 x y 0 x y 0 - dot3 x y 0 lx ly lz) by (shadow_lines; ring). split; auto.
+  rewrite (occlusion_by_signs__iff x y 0 lx ly lz 0 0 0 r R).
   2: { replace (apart2 0 0 0 x y 0) with (x ^ 2 + y ^ 2) by (unfold apart2; ring). exact P. }
-  2: { replace (apart2 0 0 0 lx ly lz) with (lx ^ 2 + ly ^ 2 + lz ^ 2) by (unfold apart2; ring). exact L. }
-  unfold cast_away. rewrite T. split; [split; intros; lra |]. intros H. split; [intros; lra |]. intros [D B].
+  2: { replace (apart2 0 0 0 lx ly lz) with (lx ^ 2 + ly ^ 2 + lz ^ 2) by (unfold apart2; ring). lra. }
+  unfold cast_away. split; [lra |]. intros H. split; [intros; lra |]. intros [D B].
   assert (N : 0 <= lx ^ 2 + ly ^ 2 + lz ^ 2) by squares. pose proof (sqrt_sqrt _ N).
   assert (A : cast_away x y lx ly lz 0 0 0).
   { apply (from_the_light x y lx ly lz 0 0 0 r). rewrite (proj1 (from_the_light _ _ _ _ _ _ _ _ _)) in D.
     apply (seen_of_b _ _ _ _ _ _ r); try lra. unfold c_of_b, dot3. nra. }
-  unfold cast_away in A. rewrite T in A. lra.
+  unfold cast_away in A. lra.
 Qed.
 
 Theorem shadow_of_a_on_floor__beyond_a__point : exists x y lx ly lz r, 0 < r /\ r < sqrt (lx ^ 2 + ly ^ 2 + lz ^ 2) /\ r < sqrt (x ^ 2 + y ^ 2).
@@ -236,9 +229,9 @@ Theorem shadow_out_of_reach__within : Statements.shadow_out_of_reach__within.
 Proof. claim. Qed.
 Theorem shadow_out_of_reach__cone : Statements.shadow_out_of_reach__cone.
 Proof.
-  red. intros. assert (N : distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 +
-    (aside_x * axis_z - aside_z * axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (put (distance ^ 2); put (wander ^ 2); put product; ring).
-  assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; sum_of_squares). assert (P : distance * wander >= 0) by nra.
+  red. intros. assert (N : distance ^ 2 * wander ^ 2 - product ^ 2 = (aside_y * axis_x - aside_x * axis_y) ^ 2 + (aside_x * axis_z - aside_z *
+    axis_x) ^ 2 + (aside_z * axis_y - aside_y * axis_z) ^ 2) by (put (distance ^ 2); put (wander ^ 2); put product; ring).
+  assert (distance ^ 2 * wander ^ 2 - product ^ 2 >= 0) by (rewrite N; sum_of_squares). assert (distance * wander >= 0) by nra.
   assert (distance * wander + product >= 0) by nra. each ltac:(first [assumption | lra | nra]).
 Qed.
 Theorem shadow_out_of_reach__quadratic : Statements.shadow_out_of_reach__quadratic.
@@ -254,7 +247,7 @@ Theorem shadow_out_of_reach__bends_down : Statements.shadow_out_of_reach__bends_
 Proof. red. intros. assert (0 <= share * (1 - share) * - bend) by (repeat apply Rmult_le_pos; lra). lra. Qed.
 
 Lemma len_axis x : 0 <= x -> len x 0 0 = x.
-Proof. intros X. apply sqrt_is; [exact X | ring]. Qed.
+Proof. intros X. apply sqrt_is; lra. Qed.
 
 (* On [0, 1] the program's shortest is the least value of its quadratic: at an end or where it turns. *)
 Lemma least_of_quadratic low slope bend t : 0 <= t <= 1 -> let turning := if Rle_dec 0 slope then 0 else if Rle_dec (bend + slope) 0 then 1 else -
@@ -265,11 +258,11 @@ Proof.
   assert (L : forall x y, (if Rlt_dec x y then x else y) <= x /\ (if Rlt_dec x y then x else y) <= y) by (split; destruct Rlt_dec; lra). intros [T0
     T1] turning at_ball at_turning at_an_end.
   destruct (L at_ball low) as [M M']. fold at_an_end in M, M'. generalize (L at_turning at_an_end). set (least := if Rlt_dec at_turning _ then _ else
-    _). intros [U V]. clearbody least at_an_end. destruct (Rle_lt_dec bend 0) as [N|P].
-  - generalize (shadow_out_of_reach__bends_down bend low t slope ltac:(lra) ltac:(lra) N). unfold at_ball in M. nra.
-  - revert U. unfold at_turning, turning. destruct (Rle_dec 0 slope) as [A|A]; [|destruct (Rle_dec (bend + slope) 0) as [B|B]].
-    + generalize (shadow_out_of_reach__turns_before bend low t slope ltac:(lra) P ltac:(lra)). lra.
-    + generalize (shadow_out_of_reach__turns_after bend low t slope ltac:(lra) P B). unfold at_ball in M. lra.
+    _). intros [U V]. destruct (Rle_lt_dec bend 0) as [N|P].
+  - generalize (shadow_out_of_reach__bends_down bend low t slope). unfold at_ball in M. nra.
+  - revert U. unfold at_turning, turning. destruct Rle_dec; [|destruct Rle_dec as [B|B]].
+    + generalize (shadow_out_of_reach__turns_before bend low t slope). lra.
+    + generalize (shadow_out_of_reach__turns_after bend low t slope). lra.
     + generalize (shadow_out_of_reach__turns_between (- slope / bend) bend low t slope P ltac:(field; lra)). lra.
 Qed.
 
@@ -280,21 +273,19 @@ Theorem shadow_out_of_reach__program lx ly lz cx cy cz r bx by_ bz s : 0 < r -> 
 Proof.
   intros R S O C t qx qy qz T Q. set (n := len (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz - cz + t * (bz - lz))).
   assert (P : 0 < shadow_clearance.shortest lx ly lz cx cy cz r bx by_ bz s).
-  { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)) as L.
-    match type of C with 0 < ?a / ?b => assert (0 < b); [| apply (Rmult_lt_reg_r (/ b));
-      [apply Rinv_0_lt_compat; assumption | rewrite Rmult_0_l; exact C]] end.
+  { unfold shadow_clearance.clearance in C. pose proof (len_squared (lx - cx) (ly - cy) (lz - cz)).
+    match type of C with 0 < ?a / ?b => assert (0 < b); [| apply (Rmult_lt_reg_r (/ b)); [apply Rinv_0_lt_compat; assumption | lra]] end.
     assert (0 < (lx - cx) ^ 2 + (ly - cy) ^ 2 + (lz - cz) ^ 2) by nra.
     pose proof (pow2_ge_0 (bx - lx)). pose proof (pow2_ge_0 (by_ - ly)). pose proof (pow2_ge_0 (bz - lz)).
     shadow_clearance.lines. lra. }
-  assert (D : r + t * s < n).
-  { assert (0 <= n) by apply len_pos. assert (0 <= t * s) by nra. assert (0 < n ^ 2 - (r + t * s) ^ 2); [|nra].
+  assert (r + t * s < n).
+  { assert (0 <= n) by apply len_pos. assert (0 < n ^ 2 - (r + t * s) ^ 2); [|nra].
     eapply Rlt_le_trans; [exact P|]. eapply Rle_trans; [exact (least_of_quadratic _ _ _ t T)|]. unfold n. rewrite len_squared.
       shadow_clearance.lines. lra. }
   pose proof (len_pos (qx - bx) (qy - by_) (qz - bz)).
   epose proof (shadow_out_of_reach__cone (t * (qx - bx)) (t * (qy - by_)) (t * (qz - bz)) (lx - cx + t * (bx - lx)) (ly - cy + t * (by_ - ly)) (lz -
-    cz + t * (bz - lz))
-    r n _ (t * s) (t * len (qx - bx) (qy - by_) (qz - bz)) R) as E. destruct E as (_ & _ & _ & _ & _ & _ & _ & E); try nra; try reflexivity; try
-      (unfold n; rewrite ?Rpow_mult_distr, len_squared; ring).
+    cz + t * (bz - lz)) r n _ (t * s) (t * len (qx - bx) (qy - by_) (qz - bz)) R) as E. destruct E as (_ & _ & _ & _ & _ & _ & _ & E); try nra; try
+      reflexivity; try (unfold n; rewrite ?Rpow_mult_distr, len_squared; ring).
   rewrite <- (sqrt_pow2 r) by lra. apply sqrt_lt_1_alt. split; [apply pow2_ge_0 | lra].
 Qed.
 
@@ -303,7 +294,7 @@ Theorem shadow_out_of_reach__program__point : exists lx ly lz cx cy cz r bx by_ 
 Proof.
   exists 3, 0, 0, 0, 0, 0, 1, 4, 0, 0, 1. rewrite !Rminus_0_r, len_axis by lra. repeat split; try lra.
   shadow_clearance.lines.
-  destruct Rle_dec; [| lra]. destruct Rlt_dec; destruct Rlt_dec; apply Rdiv_lt_0_compat; lra.
+  destruct Rle_dec; [| lra]. destruct Rlt_dec; destruct Rlt_dec; lra.
 Qed.
 
 (* Not wherever the light is outside the body. *)
@@ -312,6 +303,6 @@ Theorem shadow_out_of_reach__program__false : ~ forall lx cx r bx s, 0 < r -> 0 
 Proof.
   intros F. assert (H : 1 < len (3 + 1 / 2 * (-3 - 3) - 0) 0 0).
   { apply (F 3 0 1 (-3) 1); try lra; unfold len; [rewrite (sqrt_is _ 3) | rewrite (sqrt_is _ 0)]; lra. }
-  replace (3 + 1 / 2 * (-3 - 3) - 0) with 0 in H by field. rewrite len_axis in H; lra.
+  rewrite len_axis in H; lra.
 Qed.
 
