@@ -184,8 +184,7 @@ Theorem difference_bounds__in_float64_u u v k_u k_v epsilon : sampled_in_u k_u u
   k_u k_v -> Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI *
   k_u) u epsilon.
 Proof.
-  intros I V. split; [exact (sine_in_u u v k_u k_v epsilon I V)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_u u v k_u k_v
-    epsilon I V)).
+  intros I V. pose proof sine_in_u _ _ _ _ _ I V as N. split; [exact N|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ N).
   - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold_difference.
     rewrite P, M, !(ridges_height s) by assumption. exact (proj1 (opposite_quotients s _ _ _ 0 S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
@@ -196,8 +195,7 @@ Theorem difference_bounds__in_float64_v u v k_u k_v epsilon : sampled_in_v k_v v
   k_u k_v -> Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI *
   k_v) v epsilon.
 Proof.
-  intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v
-    epsilon I U)).
+  intros I U. pose proof sine_in_v _ _ _ _ _ I U as N. split; [exact N|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ N).
   - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. pose proof proj1 (up_to_1 _) W as P. destruct
     (arguments_in_v v epsilon _ _ E eq_refl eq_refl P M) as (P1 & M1 & _).
     unfold_difference. rewrite P1, M1, !(ridges_height s) by assumption.
@@ -298,7 +296,7 @@ Proof.
     rewrite (Y x), (Y z) by lra. unfold Rdiv. ring.
 Qed.
 
-Ltac in_figures := change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); change (bpow radix2 (-1)) with (/ 2).
+Ltac in_figures := change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) in *; change (bpow radix2 (-1)) with (/ 2) in *.
 (* False variants: with an eighth of the arguments' part, where the slope dies. *)
 Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
 Proof. apply (stays (-1)); powers. Qed.
@@ -383,8 +381,7 @@ Theorem difference_bounds__seam_in_float64__point : exists u v k_v epsilon k, (0
   k)) (central_any_float64.u_plus u epsilon) /\ carried (IZR (2 * k)) (central_any_float64.u_minus u epsilon) /\ carried k_v v.
 Proof.
   destruct seam_witness as [P M]. destruct witness as (_ & _ & C). exists (bpow radix2 (-1)), (bpow radix2 (-1)), (201 / 2), (bpow radix2 (-55)), 100%Z.
-  change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) at 1 2. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply P; try apply M; try
-    apply C; simpl; lra.
+  repeat split; try apply P; try apply M; try apply C; in_figures; simpl; lra.
 Qed.
 Theorem difference_bounds__seam_in_float64__false : ~ forall u v k_v epsilon k, (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2
   * k) in carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v -> Rabs
