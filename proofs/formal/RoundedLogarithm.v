@@ -315,7 +315,6 @@ Proof.
     series_relative q Q as Es. rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
   assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1);
     apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
-  pose proof rounded_is_float64 as Fl.
   split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in
     t0. pose proof Rabs_pos y as Y0.
   assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
@@ -323,12 +322,10 @@ Proof.
   split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize
     (size _ _ _ _ Bq Eh); lra|].
   set (a := rounded (t + w)). added a t w (134/100000 * Rabs y + negligible / 100).
-  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides).
-    pose proof sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2 as E2.
-  change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2.
-    set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
+  set (R := natural_logarithm_float64.log_rest x). set (f := rounded (2 * e)). assert (Fe : f = 2 * e) by exact (Doubled _). added R a f (135/100000 * Rabs
+    y + negligible / 10). split; [by_sides|].
   replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e
-    - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R a t s w h e q W. by_sides.
+    - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R f a t s w h e q W. by_sides.
 Qed.
 End parts.
 End logarithm.
