@@ -76,8 +76,7 @@ Proof.
   assert (E2 : Rabs (h - l - r) <= 4/1000 / 2 ^ 53).
   { assert (G : Rabs (IZR n * (ln 2 - 22713/32768 - L)) <= 3/10000 / 2 ^ 53) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval with
     (i_prec 100)).
-    replace (h - l - r) with (IZR n * (ln 2 - 22713/32768 - L) - (l - (L * IZR n - e))) by (rewrite H; unfold r; ring).
-    at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
+    unfold r. by_sides. }
   assert (Br : Rabs r <= 34659/100000).
   { pose proof doublings_off. unfold r. by_sides. }
   assert (E3 : Rabs (a - (h - l)) <= 3467/10000 / 2 ^ 53).
