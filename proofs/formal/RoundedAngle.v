@@ -53,7 +53,7 @@ Lemma difference_error a ah b bh S ea eb : Rabs (a - b) <= S -> Rabs (ah - a) <=
   <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
 Proof.
   intros B A E. assert (M : Rabs (ah - bh - (a - b)) <= ea + eb).
-  { replace (_ - (a - b)) with ((ah - a) - (bh - b)) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
+  { by_sides. }
   apply through with (ah - bh); [|exact M]. exact (rounded_error _ _ (size _ _ _ _ B M)).
 Qed.
 Section ratio.
