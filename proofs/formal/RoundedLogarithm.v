@@ -304,7 +304,7 @@ Proof.
     assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) |
       apply Rle_refl]).
     split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
-    replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
+    by_sides.
 Qed.
 Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\ Rabs (2 * h) <= 11/10 * Rabs y + 3
   * negligible /\
@@ -324,8 +324,7 @@ Proof.
   set (a := rounded (t + w)). added a t w (134/100000 * Rabs y + negligible / 100).
   set (R := natural_logarithm_float64.log_rest x). set (f := rounded (2 * e)). assert (Fe : f = 2 * e) by exact (Doubled _). added R a f (135/100000 * Rabs
     y + negligible / 10). split; [by_sides|].
-  replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e
-    - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R f a t s w h e q W. by_sides.
+  assert (Hy : y = IZR n * ln 2 + ln m) by reflexivity. set (z := Rabs q) in *. clearbody z y R f a t s w h e q W. by_sides.
 Qed.
 End parts.
 End logarithm.
