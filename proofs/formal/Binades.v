@@ -112,13 +112,13 @@ Proof. intros ->. unfold Rdiv. rewrite Rminus_diag_eq, rounded_0, Rmult_0_r, rou
 Lemma none_in_u height w v k_u k_v e : 0 <= w < 1 -> rounded (e + w) = w /\ rounded (w - e) = w -> central_any_float64.u_plus w e = w /\
   central_any_float64.u_minus w e = w /\ central_any_float64.h_u height w v k_u k_v e = 0.
 Proof.
-  intros B [P M]. destruct (unwrapped _ _ _ _ P M B B) as [P' M']. repeat split; trivial. apply no_rise. unfold_difference. rewrite P', M'. reflexivity.
+  intros B [P M]. destruct (unwrapped _ _ _ _ P M B B) as [P1 M1]. repeat split; trivial. apply no_rise. unfold_difference. rewrite P1, M1. reflexivity.
 Qed.
 Lemma none_in_v height u w k_u k_v e : 0 <= w <= 1 -> float64 e -> rounded (e + w) = w /\ rounded (w - e) = w -> central_any_float64.v_plus w e =
   w /\ central_any_float64.v_minus w e = w /\ central_any_float64.span_v w e = 2 * e /\ central_any_float64.h_v height u w k_u k_v e = 0.
 Proof.
-  intros B E [P M]. destruct (arguments_in_v _ _ _ _ E P M) as (P' & M' & S'); try lra. repeat split; trivial. apply no_rise. unfold_difference. rewrite P',
-    M'. reflexivity.
+  intros B E [P M]. destruct (arguments_in_v _ _ _ _ E P M) as (P1 & M1 & S1); try lra. repeat split; trivial. apply no_rise. unfold_difference. rewrite P1,
+    M1. reflexivity.
 Qed.
 
 (* u, epsilon > 0: float64, u from 2^k up to 2^(k+1) and below 1, s = 2^(k-52). Where epsilon < s/2, and epsilon <= s/4 at u = 2^k, the
@@ -143,17 +143,17 @@ Theorem binades__tie height c k_u k_v k m : (-1021 <= k <= -1)%Z -> (2 ^ 52 < m 
   k_u k_v epsilon = 0 else central_any_float64.u_plus w epsilon = w + 2 * epsilon /\ central_any_float64.u_minus w epsilon = w - 2 * epsilon /\
   central_any_float64.h_u (fun u _ _ _ => u) w c k_u k_v epsilon = 2 /\ central_any_float64.h_v (fun _ v _ _ => v) c w k_u k_v epsilon = 2.
 Proof.
-  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L']. pose
+  intros K M w epsilon. assert (F : float64 epsilon) by (apply power_float64; lia). destruct (below_1 k m ltac:(lia) ltac:(lia)) as [L L1]. pose
     proof tied k m ltac:(lia) M as T.
-  cbv zeta in T. fold w in L, L', T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by
+  cbv zeta in T. fold w in L, L1, T. rewrite <- half_spacing in T. fold epsilon in T. replace (bpow radix2 (k - 52)) with (2 * epsilon) in * by
     (unfold epsilon; rewrite half_spacing; field).
   destruct (Z.even m); [rewrite Rplus_0_r, Rminus_0_r in T; split; [apply none_in_u | apply none_in_v]; try assumption; lra|]. destruct T as [P N].
-  destruct (unwrapped _ _ _ _ P N) as [P' N']; [lra..|]. destruct (arguments_in_v _ _ _ _ F P N) as (P'' & N'' & S); [lra..|].
+  destruct (unwrapped _ _ _ _ P N) as [P1 N1]; [lra..|]. destruct (arguments_in_v _ _ _ _ F P N) as (P1' & N1' & S); [lra..|].
   assert (D : rounded (w + 2 * epsilon - (w - 2 * epsilon)) = 2 * (2 * epsilon)) by (rewrite <- (kept _ (twice_float64 _ (twice_float64 _ F)));
     f_equal; ring).
-  assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P' | split; [exact N'|]].
+  assert (Two : rounded 2 = 2) by exact (kept 2 (power_float64 1 ltac:(easy))). split; [exact P1 | split; [exact N1|]].
   unfold_difference.
-  rewrite P', N', P'', N'', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split;
+  rewrite P1, N1, P1', N1', S, D. replace (1 / 2 * (2 * (2 * epsilon))) with (2 * epsilon) by field. rewrite (kept _ (twice_float64 _ F)). split;
     (transitivity (rounded 2); [f_equal; field; lra | exact Two]).
 Qed.
 

@@ -53,7 +53,7 @@ Lemma difference_error a ah b bh S ea eb : Rabs (a - b) <= S -> Rabs (ah - a) <=
   <= (S + (ea + eb)) / 2 ^ 53 + 1 / 2 ^ 100 + (ea + eb).
 Proof.
   intros B A E. assert (M : Rabs (ah - bh - (a - b)) <= ea + eb).
-  { replace (_ - (a - b)) with ((ah - a) - (bh - b)) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
+  { by_sides. }
   apply through with (ah - bh); [|exact M]. exact (rounded_error _ _ (size _ _ _ _ B M)).
 Qed.
 Section ratio.
@@ -165,8 +165,7 @@ Proof.
   assert (T : 0 <= s / l <= 1) by (split; [apply Rle_div_r | apply Rle_div_l]; lra).
   assert (Rabs rho <= 5/16 + 1 / 2 ^ 31 /\ Rabs (r - rho) <= 6/10 / 2 ^ 53) as [Rh Er] by (destruct C as [(_ & _ & _ & Wr & Wd)|(Wr & Wd & _)]; lra).
   assert (Br : - (5/16 + 1/2^30) <= r <= 5/16 + 1/2^30).
-  { apply Rabs_le_between. replace r with (rho + (r - rho)) by ring. at_most_by Rabs_triang. eapply Rle_trans; [exact (Rplus_le_compat
-    _ _ _ _ Rh Er) | interval]. }
+  { apply Rabs_le_between. generalize (size _ _ _ _ Rh Er). lra. }
   assert (Add : atan (s / l) = atan n + atan rho).
   { assert (n0 : 0 <= n <= 1) by lra. assert (n1 : 0 <= n * s) by nra. replace rho with (atan_sub (s / l) n) by (unfold rho, atan_sub; field; lra).
     assert (0 <= s / l * n) by nra. set (t := s / l) in *. apply atan_sub_correct; [lra | split; interval | apply atan_bound]. }
@@ -260,17 +259,17 @@ Proof.
   unfold angle_in_half_turns_float64.angle, angle_in_half_turns_float64.half_plane, angle_in_half_turns_float64.first_quadrant. rewrite no_octant by
     (rewrite Rabs_R0; apply Rmin_left, Rle_refl). repeat destruct Rlt_dec; lra.
 Qed.
+Lemma side_of_1 x y : Rabs x = 1 \/ Rabs y = 1 -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
+Proof. intros [-> | ->]; eapply Rle_trans; [| apply Rmax_l | | apply Rmax_r]; apply (bpow_le radix2 (-1018) 0); easy. Qed.
 Theorem elementary_functions__atan2pi__point : exists y x, float64 y /\ float64 x /\ bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y).
 Proof.
-  exists 0, 1. split; [apply generic_format_0|]. split; [exact one_is_float64|].
-  rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_l]. apply (bpow_le radix2 (-1018) 0). easy.
+  exists 0, 1. exact (conj (generic_format_0 _ _) (conj one_is_float64 (side_of_1 1 0 (or_introl Rabs_R1)))).
 Qed.
 Theorem elementary_functions__atan2pi__false : ~ forall y x, float64 y -> float64 x -> bpow radix2 (-1018) <= Rmax (Rabs x) (Rabs y) -> Rabs
   (angle_in_half_turns_float64.angle y x - atan (y / x) / PI) <= 5/2 * (1 / 2 ^ 53).
 Proof.
   intro H. assert (F := generic_format_opp _ _ _ one_is_float64 : float64 (-1)).
-  assert (M : bpow radix2 (-1018) <= Rmax (Rabs (-1)) (Rabs 0)).
-  { rewrite Rabs_left by lra. eapply Rle_trans; [|apply Rmax_l]. replace (- -1) with 1 by ring. apply (bpow_le radix2 (-1018) 0). easy. }
+  pose proof side_of_1 (-1) 0 (or_introl Rabs_m1) as M.
   generalize (H 0 (-1) (generic_format_0 _ _) F M) (elementary_functions__atan2pi 0 (-1) (generic_format_0 _ _) F M).
   unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra. destruct Rle_dec; try lra. unfold Rdiv. rewrite Rmult_0_l, atan_0, Rmult_0_l, Rplus_0_l,
     Rinv_r by apply PI_neq0.
@@ -278,8 +277,8 @@ Proof.
 Qed.
 Theorem elementary_functions__origin__false : ~ forall y, float64 y -> angle_in_half_turns_float64.angle y 0 = 0.
 Proof.
-  intro H. pose proof one_is_float64 as F. assert (M : bpow radix2 (-1018) <= Rmax (Rabs 0) (Rabs 1)).
-  { rewrite Rabs_R1. eapply Rle_trans; [|apply Rmax_r]. apply (bpow_le radix2 (-1018) 0). easy. }
-  generalize (elementary_functions__atan2pi 1 0 F (generic_format_0 _ _) M). rewrite (H 1 F). unfold atan2pi, atan2. repeat destruct Rlt_dec; try lra.
+  intro H. pose proof one_is_float64 as F.
+  generalize (elementary_functions__atan2pi 1 0 F (generic_format_0 _ _) (side_of_1 0 1 (or_intror Rabs_R1))). rewrite (H 1 F). unfold atan2pi, atan2. repeat
+    destruct Rlt_dec; try lra.
   replace (0 - PI / 2 / PI) with (- (1/2)) by (field; apply PI_neq0). rewrite Rabs_Ropp, Rabs_pos_eq; lra.
 Qed.

@@ -64,9 +64,9 @@ Lemma three_parts (h : R -> R) (L w e p m alpha a b q slope truncation : R) : st
     Rabs (b - h m) <= 76/10 / 2 ^ 53 ->
   Rabs ((h (e + w) - h (w - e)) / (2 * e) - slope) <= truncation -> Rabs (q - slope) <= truncation + arguments_part L alpha e + evaluation_part L e.
 Proof.
-  intros (h1 & D & S) B P M (t & K & Q) A' B' T.
+  intros (h1 & D & S) B P M (t & K & Q) A1 B1 T.
   generalize (roundoff_bound__of_any_height h h1 L (e + w) (w - e) (2 * e) kappa_unclamped (76/10 / 2 ^ 53) alpha _ _ a b t D S ltac:(lra) ltac:(ring)
-    K P M A' B'). intro R.
+    K P M A1 B1). intro R.
   assert (I : 0 < / e) by (apply Rinv_0_lt_compat; lra). assert (Kp : 0 <= kappa_unclamped) by (unfold kappa_unclamped; lra).
   replace (2 * (76 / 10 / 2 ^ 53 + L * alpha) / (2 * e) * (1 + kappa_unclamped) + L * kappa_unclamped) with (arguments_part L alpha e +
     evaluation_part L e - 4/10 / 2 ^ 53 / e * (1 + kappa_unclamped)) in R
@@ -99,13 +99,13 @@ Qed.
 Ltac unfold_slopes := unfold height_sine.h, height_rings.h; gradient_sine.lines; gradient_rings.lines.
 Ltac truncation H slope e := repeat match type of H with _ /\ _ /\ _ => destruct H as [_ H] end;
   repeat match type of H with context [Derive ?f ?x] => rewrite (is_derive_unique f x slope) in H by (auto_derive; trivial; unfold_slopes; ring) end;
-  destruct H as [H H']; unfold Rdiv in *; revert H H'; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply
+  destruct H as [H H1]; unfold Rdiv in *; revert H H1; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply
     Rabs_le; split; lra.
 Lemma sine_in_u u v k_u k_v epsilon : sampled_in_u k_u u epsilon -> carried k_v v -> Rabs (central_any_float64.h_u height_sine_float64.h u v k_u
   k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
 Proof.
-  intros I V. destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (U & E & K & B & W & Cp & Cm). pose proof proj2 (up_to_1 _) W as W'. pose
-    proof truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W' K as T.
+  intros I V. destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (U & E & K & B & W & Cp & Cm). pose proof proj2 (up_to_1 _) W as W1. pose
+    proof truncation_bound__sine epsilon k_u k_v u v ltac:(lra) ltac:(lra) W1 K as T.
   destruct (argument_near u epsilon U E ltac:(lra)) as [Ap Am]. unfold_difference. rewrite P, M.
   refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => eq_refl)) _ Ap Am
     (quotient_in_u _ _ _ _ _ _) (sine_height_near _ _ _ _ Cp V) (sine_height_near _ _ _ _ Cm V) _);
@@ -117,9 +117,10 @@ Lemma difference_in_v (height : R -> R -> R -> R -> R) (h : R -> R) (L u v k_u k
     epsilon)) / (2 * epsilon) - slope) <= epsilon ^ 2 / 6 * L ^ 3 ->
   Rabs (central_any_float64.h_v height u v k_u k_v epsilon - slope) <= error_bound L v epsilon.
 Proof.
-  intros (V & E & K & B & W & Cp & Cm) S N T. destruct (in_order v epsilon ltac:(lra)) as [M _]. destruct (arguments_in_v v epsilon _ _ E eq_refl eq_refl (proj1
-    (up_to_1 _) W) M) as (P' & M' & S'). destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am].
-  unfold_difference. rewrite P', M', S'. destruct (N _ Cp) as [Np Fp].
+  intros (V & E & K & B & W & Cp & Cm) S N T. destruct (in_order v epsilon ltac:(lra)) as [M _]. destruct (arguments_in_v v epsilon _ _ E eq_refl eq_refl
+    (proj1
+    (up_to_1 _) W) M) as (P1 & M1 & S1). destruct (argument_near v epsilon V E ltac:(lra)) as [Ap Am].
+  unfold_difference. rewrite P1, M1, S1. destruct (N _ Cp) as [Np Fp].
     destruct (N _ Cm) as [Nm Fm].
   refine (three_parts h L v epsilon _ _ _ _ _ _ _ _ S _ Ap Am (quotient_in_v _ _ _ Fp Fm _) Np Nm T); lra.
 Qed.
@@ -154,10 +155,10 @@ Proof.
 Qed.
 
 (* Ridges between creases: its heights are sine's, or their opposites, as float64 computes them, too: the side of a crease is never wrong. *)
-Lemma same_side s x y x' y' : s = 1 \/ s = -1 -> sign x' = sign x -> sign y' = sign y -> 0 <= s * (x * y) -> Rabs (rounded (x' * y')) = s *
-  rounded (x' * y').
+Lemma same_side s x y x1 y1 : s = 1 \/ s = -1 -> sign x1 = sign x -> sign y1 = sign y -> 0 <= s * (x * y) -> Rabs (rounded (x1 * y1)) = s *
+  rounded (x1 * y1).
 Proof.
-  intros S X Y H. assert (Q : 0 <= s * (x' * y')).
+  intros S X Y H. assert (Q : 0 <= s * (x1 * y1)).
   { apply Rnot_lt_le. intro N. apply sign_eq_m1 in N. rewrite !sign_mult, X, Y, <- !sign_mult in N. generalize (sign_ge_0 _ H). lra. }
   destruct S as [-> | ->]; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; try ring; rewrite <- rounded_0; (apply round_le; [typeclasses eauto..| lra]).
 Qed.
@@ -184,8 +185,7 @@ Theorem difference_bounds__in_float64_u u v k_u k_v epsilon : sampled_in_u k_u u
   k_u k_v -> Rabs (central_any_float64.h_u height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_u u v k_u k_v) <= error_bound (PI *
   k_u) u epsilon.
 Proof.
-  intros I V. split; [exact (sine_in_u u v k_u k_v epsilon I V)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_u u v k_u k_v
-    epsilon I V)).
+  intros I V. pose proof sine_in_u _ _ _ _ _ I V as N. split; [exact N|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ N).
   - destruct (arguments_in_u _ _ _ I) as [P M]. destruct I as (_ & _ & _ & _ & _ & Cp & Cm). unfold_difference.
     rewrite P, M, !(ridges_height s) by assumption. exact (proj1 (opposite_quotients s _ _ _ 0 S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
@@ -196,11 +196,10 @@ Theorem difference_bounds__in_float64_v u v k_u k_v epsilon : sampled_in_v k_v v
   k_u k_v -> Rabs (central_any_float64.h_v height_ridges_float64.h u v k_u k_v epsilon - gradient_ridges.h_v u v k_u k_v) <= error_bound (PI *
   k_v) v epsilon.
 Proof.
-  intros I U. split; [exact (sine_in_v u v k_u k_v epsilon I U)|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ (sine_in_v u v k_u k_v
-    epsilon I U)).
+  intros I U. pose proof sine_in_v _ _ _ _ _ I U as N. split; [exact N|]. intros s S H Hp Hm. refine (other_side s _ _ _ _ _ S _ _ N).
   - destruct I as (_ & E & _ & B & W & Cp & Cm). destruct (in_order v epsilon ltac:(lra)) as [M _]. pose proof proj1 (up_to_1 _) W as P. destruct
-    (arguments_in_v v epsilon _ _ E eq_refl eq_refl P M) as (P' & M' & _).
-    unfold_difference. rewrite P', M', !(ridges_height s) by assumption.
+    (arguments_in_v v epsilon _ _ E eq_refl eq_refl P M) as (P1 & M1 & _).
+    unfold_difference. rewrite P1, M1, !(ridges_height s) by assumption.
       exact (proj2 (opposite_quotients s _ _ 0 _ S)).
   - rewrite (sign_of_height s _ S H). unfold_fields. ring.
 Qed.
@@ -230,8 +229,8 @@ Theorem difference_bounds__seam_in_float64 u v k_v epsilon k : (0 < k)%Z -> 0 <=
 Proof.
   intros K U E k_u Cp Cm V. destruct (wrapped_near (epsilon + u)) as [n P]; [apply Rabs_le; lra|]. destruct (wrapped_near (u - epsilon)) as [m M];
     [apply Rabs_le; lra|].
-  assert (K' : 0 < k_u) by (apply IZR_lt; lia). rewrite <- (Rplus_0_l (arguments_part _ _ _)).
-  refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K' (sine_at_most_1 _) (fun _ => eq_refl)) E P M
+  assert (K1 : 0 < k_u) by (apply IZR_lt; lia). rewrite <- (Rplus_0_l (arguments_part _ _ _)).
+  refine (three_parts (fun w => height_sine.h w v k_u k_v) _ _ _ _ _ _ _ _ _ _ _ (sine_is_steep _ _ _ K1 (sine_at_most_1 _) (fun _ => eq_refl)) E P M
     (quotient_in_u _ _ _ (rounded_is_float64 _) (rounded_is_float64 _) E) _ _ _).
   1, 2: unfold k_u; rewrite whole_turn; apply sine_height_near; assumption.
   unfold k_u. rewrite central_around by lra. apply no_error.
@@ -250,8 +249,8 @@ Lemma difference_when_clamped (height : R -> R -> R -> R -> R) (h : R -> R) (L u
   carried k w -> Rabs (height u w k_u k_v - h w) <= 76/10 / 2 ^ 53 /\ float64 (height u w k_u k_v)) ->
   Rabs (central_any_float64.h_v height u v k_u k_v e - (h (e + v) - h 0) / (e + v)) <= clamped_bound L (e + v).
 Proof.
-  intros (V & E & K & B & W & C) (h1 & D & S) N. destruct (clamped_arguments v e V E B W) as (P & M & Z). destruct (N _ C) as [A' Fa]. destruct (N _
-    (zero_carried _ _ C)) as [B' Fb].
+  intros (V & E & K & B & W & C) (h1 & D & S) N. destruct (clamped_arguments v e V E B W) as (P & M & Z). destruct (N _ C) as [A1 Fa]. destruct (N _
+    (zero_carried _ _ C)) as [B1 Fb].
   unfold_difference. rewrite P, M, Z. set (a := height _ (rounded _) _ _) in
     *. set (b := height _ 0 _ _) in *. set (w := e + v) in *. destruct (difference_near a b Fa Fb) as (d1 & D1 & R1). destruct (rounded_near (rounded
     (a - b) / rounded w)) as (d2 & y & D2 & Y & ->).
@@ -260,12 +259,12 @@ Proof.
   rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). both_ways D1. both_ways D2. both_ways D3.
   replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <=
     kappa_clamped).
-  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H'); try lra.
+  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H1); try lra.
     unfold t. field. lra. }
   pose proof roundoff_bound__of_any_height h h1 L w 0 w kappa_clamped (76/10 / 2 ^ 53) (w / 2 ^ 53) _ 0 a b t D S W0 ltac:(ring) T A ltac:(rewrite
-    Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A' B' as X.
-  assert (Y' : Rabs ((a - b) / w * t + y - (a - b) / w * t) <= / 2 ^ 100) by (replace (_ - _) with y by ring; exact Y). eapply Rle_trans; [exact
-    (through _ _ _ _ _ Y' X)|].
+    Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A1 B1 as X.
+  assert (Y1 : Rabs ((a - b) / w * t + y - (a - b) / w * t) <= / 2 ^ 100) by (replace (_ - _) with y by ring; exact Y). eapply Rle_trans; [exact
+    (through _ _ _ _ _ Y1 X)|].
   assert (I : 1 <= / w) by (rewrite <- Rinv_1; apply Rinv_le_contravar; lra). assert (Q : 0 <= kappa_clamped) by (at_most_by Rabs_pos; exact T).
   replace (2 * (76 / 10 / 2 ^ 53 + L * (w / 2 ^ 53)) / w) with ((152 / 10 * / w + 2 * L) / 2 ^ 53) by (field; lra). unfold clamped_bound, Rdiv in *. nra.
 Qed.
@@ -278,34 +277,34 @@ Theorem difference_bounds__clamped_in_float64 u v k_u k_v epsilon : clamped_in_v
   epsilon - central_rings.h_v v k epsilon) <= clamped_bound (PI * k_v) (epsilon + v).
 Proof.
   intros I U. pose proof I as D. destruct D as (V & E & K & B & W & C). destruct (clamped_arguments v epsilon V E B W) as (P & M & _). destruct
-    (exact_when_clamped v epsilon B W) as (P' & M' & S'). pose proof zero_carried _ _ C as Z.
+    (exact_when_clamped v epsilon B W) as (P1 & M1 & S1). pose proof zero_carried _ _ C as Z.
   assert (N : Rabs (central_any_float64.h_v height_sine_float64.h u v k_u k_v epsilon - central_sine.h_v u v k_u k_v epsilon) <= clamped_bound (PI *
     k_v) (epsilon + v)).
-  { central_sine.lines. rewrite P', M', S', Rminus_0_r. refine (difference_when_clamped _ (fun x => height_sine.h u x k_u k_v) _ _ _ _ _ _ _ I
+  { central_sine.lines. rewrite P1, M1, S1, Rminus_0_r. refine (difference_when_clamped _ (fun x => height_sine.h u x k_u k_v) _ _ _ _ _ _ _ I
     (sine_is_steep _ _ _ K (sine_at_most_1 _) (fun _ => Rmult_comm _ _)) _).
-    intros w C'. split; [exact (sine_height_near _ _ _ _ U C') | apply rounded_is_float64]. }
+    intros w C1. split; [exact (sine_height_near _ _ _ _ U C1) | apply rounded_is_float64]. }
   split; [exact N|]. split.
-  2: { intros k F <-. central_rings.lines. rewrite P', M', S', Rminus_0_r. refine (difference_when_clamped _ (fun x => height_rings.h x k) _ _ _ _ _ _
+  2: { intros k F <-. central_rings.lines. rewrite P1, M1, S1, Rminus_0_r. refine (difference_when_clamped _ (fun x => height_rings.h x k) _ _ _ _ _ _
     _ I (sine_is_steep _ 1 _ K _ _) (rings_height_near k F)); [rewrite Rabs_R1; lra | intro; symmetry; apply Rmult_1_r]. }
-  intros s G H H'. assert (K0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _
+  intros s G H H1. assert (K0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _
     _ _ _ _ G _ _ N).
   - unfold_difference. rewrite P, M, !(ridges_height s) by (assumption ||
     lra). exact (proj2 (opposite_quotients s _ _ 0 _ G)).
   - central_ridges.lines; central_sine.lines.
-    rewrite P', M', !S'. unfold height_sine.h in *. set (x := sin _ * sin (PI * (k_v * (epsilon + v)))) in *. set (z := sin _ * sin (PI * (k_v *
+    rewrite P1, M1, !S1. unfold height_sine.h in *. set (x := sin _ * sin (PI * (k_v * (epsilon + v)))) in *. set (z := sin _ * sin (PI * (k_v *
       0))) in *.
     assert (Y : forall t, 0 <= s * t -> Rabs t = s * t) by (destruct G as [-> | ->]; intros; [rewrite Rabs_pos_eq | rewrite Rabs_left1]; lra).
     rewrite (Y x), (Y z) by lra. unfold Rdiv. ring.
 Qed.
 
-Ltac in_figures := change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)); change (bpow radix2 (-1)) with (/ 2).
+Ltac in_figures := change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) in *; change (bpow radix2 (-1)) with (/ 2) in *.
 (* False variants: with an eighth of the arguments' part, where the slope dies. *)
 Lemma step_lost : rounded (bpow radix2 (-55) + bpow radix2 (-1)) = bpow radix2 (-1) /\ rounded (bpow radix2 (-1) - bpow radix2 (-55)) = bpow radix2 (-1).
 Proof. apply (stays (-1)); powers. Qed.
 Lemma witness : let k := 201 / 2 in let w := bpow radix2 (-1) in let e := bpow radix2 (-55) in sampled_in_u k w e /\ sampled_in_v k w e /\ carried k w.
 Proof.
   intros k w e. assert (F : float64 w) by (apply power_float64; easy). assert (E : float64 e) by (apply power_float64; easy).
-  assert (W : w = 1 / 2) by (unfold w; in_figures; lra). assert (E' : 0 < e <= / 2 ^ 54) by (unfold e; in_figures; simpl; lra).
+  assert (W : w = 1 / 2) by (unfold w; in_figures; lra). assert (E1 : 0 < e <= / 2 ^ 54) by (unfold e; in_figures; simpl; lra).
   destruct step_lost as [P M]. fold w e in P, M.
   assert (C : carried k w).
   { split; [replace k with (IZR 201 * bpow radix2 (-1)) by (unfold k; simpl; lra); apply whole_is_float64; easy|]. split; [exact F|].
@@ -383,8 +382,7 @@ Theorem difference_bounds__seam_in_float64__point : exists u v k_v epsilon k, (0
   k)) (central_any_float64.u_plus u epsilon) /\ carried (IZR (2 * k)) (central_any_float64.u_minus u epsilon) /\ carried k_v v.
 Proof.
   destruct seam_witness as [P M]. destruct witness as (_ & _ & C). exists (bpow radix2 (-1)), (bpow radix2 (-1)), (201 / 2), (bpow radix2 (-55)), 100%Z.
-  change (bpow radix2 (-55)) with (/ IZR (2 ^ 55)) at 1 2. change (bpow radix2 (-1)) with (/ 2) at 1 2. repeat split; try apply P; try apply M; try
-    apply C; simpl; lra.
+  repeat split; try apply P; try apply M; try apply C; in_figures; simpl; lra.
 Qed.
 Theorem difference_bounds__seam_in_float64__false : ~ forall u v k_v epsilon k, (0 < k)%Z -> 0 <= u <= 1 -> 0 < epsilon <= 1 -> let k_u := IZR (2
   * k) in carried k_u (central_any_float64.u_plus u epsilon) -> carried k_u (central_any_float64.u_minus u epsilon) -> carried k_v v -> Rabs

@@ -68,29 +68,24 @@ Proof.
   intros a b. destruct away_high_printed as [H S]. set (h := exponential_of_sum_float64.away_high p) in *. set (l :=
     exponential_of_sum_float64.away_low p e).
   set (L := 3373202482714085 / 2361183241434822606848). pose proof doublings_range as W.
-  assert (E1 : Rabs (l - (L * IZR n - e)) <= 3/1000 / 2 ^ 53 /\ Rabs (L * IZR n - e) <= 147/100000).
-  { assert (P : Rabs (L * IZR n) <= 1465/1000000) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval). split.
-    - unfold l, exponential_of_sum_float64.away_low. change (exponential_of_sum_float64.whole p) with (IZR n). fold L.
-      assert (T : Rabs (L * IZR n - e) <= 147/100000) by (at_most_by Rabs_triang; rewrite Rabs_Ropp; lra).
-      eapply Rle_trans; [eapply difference_error; [exact T | exact (rounded_error _ _ P) | apply no_error] | lra].
-    - at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
-  destruct E1 as [E1 Bl]. assert (E2 : Rabs (h - l - r) <= 4/1000 / 2 ^ 53).
+  assert (P : Rabs (L * IZR n) <= 1465/1000000) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval). pose proof E as Be. assert (Bl : Rabs
+    (L * IZR n - e) <= 147/100000) by by_sides.
+  assert (E1 : Rabs (l - (L * IZR n - e)) <= 3/1000 / 2 ^ 53).
+  { unfold l, exponential_of_sum_float64.away_low. change (exponential_of_sum_float64.whole p) with (IZR n). fold L.
+    eapply Rle_trans; [exact (difference_error _ _ _ _ _ _ _ Bl (rounded_error _ _ P) (no_error e)) | lra]. }
+  assert (E2 : Rabs (h - l - r) <= 4/1000 / 2 ^ 53).
   { assert (G : Rabs (IZR n * (ln 2 - 22713/32768 - L)) <= 3/10000 / 2 ^ 53) by (generalize W; generalize (IZR n); intros w ?; unfold L; interval with
     (i_prec 100)).
-    replace (h - l - r) with (IZR n * (ln 2 - 22713/32768 - L) - (l - (L * IZR n - e))) by (rewrite H; unfold r; ring).
-    at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
+    unfold r. by_sides. }
   assert (Br : Rabs r <= 34659/100000).
-  { replace r with (p - IZR n * ln 2 + e) by (unfold r; ring). generalize doublings_off. intro D. at_most_by Rabs_triang. lra. }
+  { pose proof doublings_off. unfold r. by_sides. }
   assert (E3 : Rabs (a - (h - l)) <= 3467/10000 / 2 ^ 53).
-  { assert (T : Rabs (h - l) <= 3466/10000) by (eapply Rle_trans; [exact (size _ _ _ _ Br E2) | lra]). eapply Rle_trans; [exact (rounded_error _ _
-    T) | lra]. }
+  { eapply Rle_trans; [exact (rounded_error _ _ (size _ _ _ _ Br E2)) | lra]. }
   assert (E4 : Rabs (exponential_of_sum_float64.away_gained p e - (h - a)) <= 15/10000 / 2 ^ 53).
-  { assert (T : Rabs (h - a) <= 1471/1000000).
-    { replace (h - a) with ((L * IZR n - e) + (l - (L * IZR n - e)) - (a - (h - l))) by ring. by_sides. }
+  { assert (T : Rabs (h - a) <= 1471/1000000) by by_sides.
     eapply Rle_trans; [exact (rounded_error _ _ T) | lra]. }
   assert (E5 : Rabs (b - (h - a - l)) <= 2/1000 / 2 ^ 53).
-  { unfold b, exponential_of_sum_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by (replace (h - a - l) with (- (a -
-    (h - l))) by ring; rewrite Rabs_Ropp; exact E3).
+  { unfold b, exponential_of_sum_float64.away_error. fold l. assert (T : Rabs (h - a - l) <= 3467/10000 / 2 ^ 53) by by_sides.
     eapply Rle_trans; [eapply difference_error; [exact T | exact E4 | apply no_error] | lra]. }
   repeat split; by_sides.
 Qed.
@@ -116,8 +111,7 @@ Proof.
     exponential_polynomial.exponential_tail. rewrite Rplus_0_l.
   fold a b. set (zh := exponential_of_sum_float64.away_squared p e). set (z := exponential_polynomial.away_squared a).
   assert (Z : 0 <= z <= 12021/100000).
-  { assert (G : forall t, - (3467/10000) <= t <= 3467/10000 -> 0 <= t ^ 2 <= 12021/100000) by (intros; split; [apply pow2_ge_0 | interval]). exact
-    (G a A). }
+  { unfold z, exponential_polynomial.away_squared. clearbody a. split; [apply pow2_ge_0 | interval]. }
   assert (Ez : Rabs (zh - z) <= 121/1000 / 2 ^ 53).
   { unfold zh, exponential_of_sum_float64.away_squared. fold a. replace (a * a) with z by (unfold z, exponential_polynomial.away_squared; ring).
     eapply Rle_trans; [apply (rounded_error _ (12021/100000)); apply Rabs_le; lra | lra]. }
@@ -138,7 +132,7 @@ Proof.
   unfold exponential_of_sum_float64.exponential_near, exponential_of_sum_float64.departure. fold a. set (wh :=
     exponential_of_sum_float64.departure_low p e) in *. clearbody a b v w wh.
   assert (S : Rabs (a + (b + w)) <= Rabs (v - 1) + 1/1000).
-  { generalize (Rle_abs (v - 1)) (Rle_abs (- (v - 1))) B. rewrite Rabs_Ropp. intros. by_sides. }
+  { generalize (Rle_refl (Rabs (v - 1))) B. intros. by_sides. }
   pose proof both_error a a (b + w) wh _ _ _ S (no_error a) M as E1.
   assert (S' : Rabs (a + (b + w) + 1) <= v + 1/1000).
   { pose proof B as Y. by_sides. }
@@ -158,7 +152,7 @@ Proof.
   assert (G : forall t, Rabs t <= 36/100 / 2 ^ 53 -> Rabs (exp t - 1 - t) <= 1 / 2 ^ 100).
   { intros t T. both_ways T. interval with (i_taylor t, i_degree 4, i_prec 200). }
   assert (Q : Rabs (r - a) <= 36/100 / 2 ^ 53).
-  { replace (r - a) with (b - (a + b - r)) by ring. at_most_by Rabs_triang. rewrite Rabs_Ropp. lra. }
+  { by_sides. }
   generalize (G _ Q). clear G. replace (exp r) with (exp a * exp (r - a)) by (rewrite <- exp_plus; f_equal; ring). set (t := exp (r - a) - 1 - (r - a)).
   replace (exp (r - a)) with (1 + b - (a + b - r) + t) by (unfold t; ring). intro T. clearbody t near a b r. set (v := exp a) in *. clearbody v. set
     (h := a + b - r) in *. clearbody h.
@@ -170,7 +164,8 @@ Proof.
     Rabs_le|]; lra).
 Qed.
 
-(* The exponential of a float64 and a correction is within 11/5 2^-53 of the exponential of their sum, relative to that, where it is neither 0 nor infinite. *)
+(* The exponential of a float64 and a correction is within 11/5 2^-53 of the exponential of their sum, relative to that, where it is neither 0 nor infinite.
+  *)
 Theorem elementary_functions__exp p e : float64 p -> -708 <= p <= 709 -> Rabs e <= 1 / 2 ^ 42 -> Rabs (exponential_of_sum_float64.exponential p e
   - exp (p + e)) <= 11/5 * (1 / 2 ^ 53) * exp (p + e).
 Proof.

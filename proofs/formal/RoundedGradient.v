@@ -106,9 +106,9 @@ Proof. intros P N Z. destruct (Rtotal_order x 0) as [L|[L|L]]; [rewrite !sign_eq
 Lemma of_opposites x y m : Rabs (x - y) <= m -> Rabs (- x - - y) <= m.
 Proof. replace (- x - - y) with (- (x - y)) by ring. rewrite Rabs_Ropp. auto. Qed.
 (* By the quadrant, what holds of the polynomials holds of the sine and the cosine. *)
-Lemma in_each_quadrant (F : R -> R -> Prop) q s c s' c' : F s s' -> F c c' -> (forall x y, F x y -> F (- x) (- y)) -> F (sine_in q s c) (sine_in q
-  s' c') /\ F
-  (cosine_in q s c) (cosine_in q s' c').
+Lemma in_each_quadrant (F : R -> R -> Prop) q s c s1 c1 : F s s1 -> F c c1 -> (forall x y, F x y -> F (- x) (- y)) -> F (sine_in q s c) (sine_in q
+  s1 c1) /\ F
+  (cosine_in q s c) (cosine_in q s1 c1).
 Proof.
   intros S C N. each_quadrant q; split; try apply N; assumption.
 Qed.

@@ -103,14 +103,14 @@ Proof.
   assert (Wp : 0 < c * s * (1 + d)) by (apply Rmult_lt_0_compat; [unfold c|]; lra). pose proof bpow_mag_gt radix2 (c * s * (1 + d)) as M. pose
     proof bpow_mag_le radix2 (c * s * (1 + d)) ltac:(lra) as N.
   rewrite Rabs_pos_eq in M, N by lra. fold e in N. replace (mag radix2 (c * s * (1 + d)) : Z) with (e + 1)%Z in M by (unfold e; lia). rewrite
-    bpow_plus in M. change (bpow radix2 1) with 2 in M.
+    bpow_plus in M. simpl (bpow _ 1) in M.
   pose proof bpow_gt_0 radix2 e as E0. set (g := c * (1 + d)). assert (G : 14142135/10000000 <= g <= 14142136/10000000) by (unfold g, c; lra). replace
     (c * s * (1 + d)) with (s * g) in M, N by (unfold g; ring).
   assert (Bi : natural_logarithm_float64.binary x = IZR e) by (unfold natural_logarithm_float64.binary; rewrite S; fold c; rewrite W; reflexivity).
   assert (Mm : m = s * bpow radix2 (- e)).
   { unfold m, natural_logarithm_float64.mantissa, power_of_two. rewrite S, Bi, <- opp_IZR, Zfloor_IZR. apply kept, (scaled_float64 s (e - 1));
     [rewrite <- S; apply rounded_is_float64 | | lia].
-    unfold Z.sub. rewrite bpow_plus. change (bpow radix2 (- (1))) with (/ 2). rewrite Rabs_pos_eq by lra. nra. }
+    unfold Z.sub. rewrite bpow_plus. simpl (bpow _ (- (1))). rewrite Rabs_pos_eq by lra. nra. }
   assert (Back : forall i z, z * bpow radix2 i * bpow radix2 (- i) = z) by (intros; rewrite Rmult_assoc, <- bpow_plus, Z.add_opp_diag_r; apply Rmult_1_r).
   assert (Ms : m * bpow radix2 e = s) by (rewrite Mm; rewrite <- (Back (- e)%Z s) at 2; rewrite Z.opp_involutive; reflexivity).
   assert (X : x = m * bpow radix2 (e - b)) by (unfold Z.sub; rewrite bpow_plus, <- Rmult_assoc, Ms; symmetry; apply Back).
@@ -229,8 +229,8 @@ Proof.
     <- Ps, Rabs_mult. apply Rle_trans with (bpow radix2 (-60) * 1); [rewrite Rmult_1_r; apply bpow_le; easy|].
     apply Rmult_le_compat; [apply bpow_ge_0 | lra | exact h0 | rewrite Rabs_pos_eq; rewrite Pl; by_sides]. }
   set (s := p - m). assert (Bs : Rabs s <= 1001/1000 / 2 ^ 26) by (unfold s; rewrite Pl; replace (_ - m) with (l - (m + 134217728)) by ring; exact El).
-  set (r' := natural_logarithm_float64.mantissa_rest x). relatively d4 t4 E4 (m - p) r'. set (w :=
-    rounded (h * r')). relatively d5 t5 E5 (h * r') w.
+  set (r1 := natural_logarithm_float64.mantissa_rest x). relatively d4 t4 E4 (m - p) r1. set (w :=
+    rounded (h * r1)). relatively d5 t5 E5 (h * r1) w.
   set (n := natural_logarithm_float64.undivided_near x). relatively d6 t6 E6 (natural_logarithm_float64.above_node x - rounded (h *
     natural_logarithm_float64.sum_short x)) n. rewrite A, qS, K1 in E6.
   set (U := natural_logarithm_float64.undivided x). relatively d7 t7 E7 (n - w) U. relatively d8 t8 E8 (J * U) e.
@@ -256,19 +256,19 @@ Proof.
     with (b * (c + g)) in F1 by (rewrite Rmult_plus_distr_l, (Rmult_comm b c), <- cb; unfold g; field; lra). clearbody g.
   set (z := logarithm_polynomial.quotient_squared q). set (zh := natural_logarithm_float64.quotient_squared x). relatively u2 t2 F2 (p * p) zh.
   unfold natural_logarithm_float64.log_tail, logarithm_polynomial.log_tail. fold p z zh. lazymatch goal with |- context [rounded (rounded (p * zh) *
-    ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F' := F); set (G' := G) end end.
-  relatively u3 t3 F3 (p * zh) (rounded (p * zh)). relatively d4 t4 E4 (rounded (p * zh) * F') (rounded (rounded (p * zh) * F')). simpl bpow in *.
+    ?F)] => lazymatch goal with |- context [q * z * ?G] => set (F4 := F); set (G1 := G) end end.
+  relatively u3 t3 F3 (p * zh) (rounded (p * zh)). relatively d4 t4 E4 (rounded (p * zh) * F4) (rounded (rounded (p * zh) * F4)). simpl bpow in *.
   set (k := g + (c + g) * u1 + t1). assert (Bk : Rabs k <= 102/100 / 2 ^ 53) by (unfold k; clearbody c; interval). assert (Z : z = b ^ 2 * c ^ 2) by
     (unfold z, logarithm_polynomial.quotient_squared; rewrite cb; ring).
   assert (Bz : 0 <= z <= 349/100000) by (rewrite Z; clearbody b c; split; [apply Rmult_le_pos; apply pow2_ge_0 | interval]).
   assert (Ez : Rabs (zh - z) <= 107/10000 / 2 ^ 53) by (rewrite F2, F1, Z; replace (_ - _) with (b ^ 2 * (c ^ 2 * u2 + (2 * c * k + k ^ 2) * (1 + u2))
     + b * t2) by (unfold k; ring); clearbody b c k; interval).
-  assert (BG : 66/100 <= G' <= 669/1000) by (unfold G'; clearbody z; split; interval). assert (EF : Rabs (F' - G') <= 7/10 / 2 ^ 53) by (unfold F',
-    G'; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
-  split; [rewrite E4, F3, F1 | rewrite cb; replace (c * b * z * G') with (c * z * G' * b) by ring]; [replace (_ - q * z * G') with ((z * G' * (c * ((1
-    + u3) * (1 + d4) - 1) + k * (1 + u3) * (1 + d4)) + (c + k) * (1 + u3) * (1 + d4) * (z * (F' - G') + (zh - z) * (G' + (F' - G'))) + t3 * (G' + (F'
-    - G')) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
-    (apply at_the_scale_of; [lra|]); generalize dependent (F' - G'); generalize dependent (zh - z); clearbody b c z G' k; intros; interval with
+  assert (BG : 66/100 <= G1 <= 669/1000) by (unfold G1; clearbody z; split; interval). assert (EF : Rabs (F4 - G1) <= 7/10 / 2 ^ 53) by (unfold F4,
+    G1; clearbody z zh; clear - Bz Ez; eapply Rle_trans; [find_error | interval]).
+  split; [rewrite E4, F3, F1 | rewrite cb; replace (c * b * z * G1) with (c * z * G1 * b) by ring]; [replace (_ - q * z * G1) with ((z * G1 * (c * ((1
+    + u3) * (1 + d4) - 1) + k * (1 + u3) * (1 + d4)) + (c + k) * (1 + u3) * (1 + d4) * (z * (F4 - G1) + (zh - z) * (G1 + (F4 - G1))) + t3 * (G1 + (F4
+    - G1)) * (1 + d4) + t4) * b) by (rewrite cb; unfold k; ring)|];
+    (apply at_the_scale_of; [lra|]); generalize dependent (F4 - G1); generalize dependent (zh - z); clearbody b c z G1 k; intros; interval with
       (i_prec 100).
 Qed.
 
@@ -305,7 +305,7 @@ Proof.
     assert (EL : Rabs ((22713/32768 + L - ln 2) * IZR n) <= 1 / 2 ^ 72 * N) by (apply bounded_product; [unfold L; interval with (i_prec 120) |
       apply Rle_refl]).
     split; [generalize (size _ _ _ _ Bs X); lra | split; [|split; [lra | right; exact BW]]].
-    replace (W + w - _) with ((22713/32768 + L - ln 2) * IZR n + (v + r - ln d) + (w - (L * IZR n + r))) by (rewrite H; ring). by_sides.
+    by_sides.
 Qed.
 Lemma logarithm_in_three : natural_logarithm_float64.log_quotient x = 2 * h /\ (W = 0 \/ Rabs (2 * h) <= Rabs W) /\ Rabs (2 * h) <= 11/10 * Rabs y + 3
   * negligible /\
@@ -316,7 +316,6 @@ Proof.
     series_relative q Q as Es. rewrite quotient_logarithm in Es. destruct without_quotient as (Bw & Ew & Bq & BW).
   assert (Doubled : forall z, rounded (2 * rounded z) = 2 * rounded z) by (intro z; apply kept; rewrite Rmult_comm; change 2 with (bpow radix2 1);
     apply mult_bpow_pos_exact_FLT; [apply rounded_is_float64 | easy]).
-  pose proof rounded_is_float64 as Fl.
   split; [exact (Doubled _)|]. set (t := natural_logarithm_float64.log_tail x) in *. set (s := logarithm_polynomial.log_tail q) in *. simpl bpow in
     t0. pose proof Rabs_pos y as Y0.
   assert (Bb : b <= 52/100 * Rabs y + 2 * negligible) by (unfold b; lra). clearbody b.
@@ -324,12 +323,9 @@ Proof.
   split; [destruct BW as [BW | BW]; [left; exact BW | right; eapply Rle_trans; [|exact BW]; generalize (size _ _ _ _ Q Eh); lra]|]. split; [generalize
     (size _ _ _ _ Bq Eh); lra|].
   set (a := rounded (t + w)). added a t w (134/100000 * Rabs y + negligible / 100).
-  assert (B2 : Rabs (a + rounded (2 * e)) <= 135/100000 * Rabs y + negligible / 10) by (rewrite (Doubled _ : rounded (2 * e) = 2 * e); by_sides).
-    pose proof sum_within a (rounded (2 * e)) _ (Fl _) (Fl _) B2 as E2.
-  change (rounded (a + rounded (2 * e))) with (natural_logarithm_float64.log_rest x) in E2. rewrite (Doubled _ : rounded (2 * e) = 2 * e) in B2, E2.
-    set (R := natural_logarithm_float64.log_rest x) in *. split; [generalize (size _ _ _ _ B2 E2); lra|].
-  replace (W + 2 * h + R - y) with (W + w - (IZR n * ln 2 + ln d) + (2 * q + s - (ln m - ln d)) + (R - (a + 2 * e)) + (a - (t + w)) + (t - s) + 2 * (e
-    - (q - h))) by (unfold y; ring). set (z := Rabs q) in *. clearbody z y R a t s w h e q W. by_sides.
+  set (R := natural_logarithm_float64.log_rest x). set (f := rounded (2 * e)). assert (Fe : f = 2 * e) by exact (Doubled _). added R a f (135/100000 * Rabs
+    y + negligible / 10). split; [by_sides|].
+  assert (Hy : y = IZR n * ln 2 + ln m) by reflexivity. set (z := Rabs q) in *. clearbody z y R f a t s w h e q W. by_sides.
 Qed.
 End parts.
 End logarithm.

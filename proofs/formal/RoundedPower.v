@@ -76,11 +76,7 @@ Proof.
   assert (Rabs (f5 + g) <= 143/100000 * z) by (replace g with (v + u - o) by lra; by_sides). added rest f5 g (143/100000 * z). added t o rest
     (1005/1000 * z).
   added gained t (- o) (144/100000 * z). added e rest (- gained) (101/100 / 2 ^ 53 * z).
-  split.
-  - replace (t + e - p * y) with (p * (w + q + r - y) + (c - (p - b)) * (q + w) + (f1 - c * q) + (f2 - c * w) + (f3 - p * r) + (f4 - (f1 + f2)) + (f5
-    - (f4 + f3)) + (rest - (f5 + g)) - (gained - (t + - o)) + (e - (rest + - gained)) + (o + g - (b * w + b * q))) by ring. rewrite Og, Hw, Hq.
-    by_sides.
-  - by_sides.
+  split; by_sides.
 Qed.
 Hypothesis By : - (70799/100) <= p * y <= 70899/100.
 Lemma power_near : Rabs (raised_float64.power x p - exp (p * y)) <= (5/2 + 3/100 * Rabs (p * y)) * (1 / 2 ^ 53) * exp (p * y).
