@@ -51,9 +51,9 @@ Definition rule_found (o : recorded_pixel.operation) (given : list (option range
   | recorded_pixel.Literal m e, [] => Some (point (Float radix2 m e))
   | recorded_pixel.Infinite, [] => Some (point (two_to 1023))
   | recorded_pixel.Constant m e, [] => Some (Range (Float radix2 m e) (Float radix2 m e) (two_to (SpecFloat.Zdigits2 m + e - 54)))
-  | recorded_pixel.Neg, [Some c] => Some (opposite c)
+  | recorded_pixel.Neg, [Some c] => Some (negated c)
   | recorded_pixel.Add, [Some c; Some d] => Some (sum_range c d)
-  | recorded_pixel.Sub, [Some c; Some d] => Some (sum_range c (opposite d))
+  | recorded_pixel.Sub, [Some c; Some d] => Some (sum_range c (negated d))
   | recorded_pixel.Mul, [Some c; Some d] => Some (product_range c d)
   | recorded_pixel.Truediv, [Some c; Some d] => quotient_range c d
   | recorded_pixel.Sqrt, [Some c] => root_range c
@@ -122,9 +122,9 @@ Proof.
   - split; [constructor | apply point_lies].
   - split; [constructor | apply (point_lies (two_to 1023))].
   - split; [constructor|]. split; [split; apply Rle_refl | rewrite two_to_is; apply N].
-  - split; [repeat constructor; assumption | apply opposite_lies, X].
+  - split; [repeat constructor; assumption | apply negated_lies, X].
   - split; [repeat constructor; assumption | apply sum_lies; assumption].
-  - split; [repeat constructor; assumption | apply sum_lies; [|apply opposite_lies]; assumption].
+  - split; [repeat constructor; assumption | apply sum_lies; [|apply negated_lies]; assumption].
   - split; [repeat constructor; assumption | apply product_lies; assumption].
   - destruct (quotient_range c d) as [r|] eqn:H; [|exact I]. destruct (quotient_lies _ _ _ _ _ _ _ X Y H). repeat split; assumption.
   - destruct (root_range c) as [r|] eqn:H; [|exact I]. split; [repeat constructor; assumption | exact (root_lies _ _ _ _ X H)].

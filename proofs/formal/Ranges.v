@@ -145,7 +145,7 @@ Proof.
     (F2R l) - x) with (F2R l - x + (rounded (F2R l) - F2R l)) by ring. at_most_by Rabs_triang. lra.
 Qed.
 
-Definition opposite (c : range) : range := let (l, h, e) := c in Range (Fopp h) (Fopp l) e.
+Definition negated (c : range) : range := let (l, h, e) := c in Range (Fopp h) (Fopp l) e.
 Definition sum_range (c d : range) : range := let (l, h, e) := c in let (a, b, f) := d in rounded_once (Fplus l a) (Fplus h b) (Fplus e f).
 (* What is monotone in each factor has its ends at corners. *)
 Definition lowest (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : dyadic := smaller (smaller (f l a) (f l b)) (smaller (f h a) (f h b)).
@@ -173,8 +173,8 @@ Definition root_range (c : range) : option range :=
 Definition floor_range (c : range) : option range :=
   let (l, h, e) := c in let n := whole_under l in if no_more n (Fminus l e) && less (Fplus h e) (Fplus n (two_to 0)) then Some (point n) else None.
 
-Lemma opposite_lies c v x : lies c v x -> lies (opposite c) (- v) (- x).
-Proof. destruct c as [l h e]. intros [B D]. unfold lies, opposite. rewrite !F2R_opp. replace (- v - - x) with (- (v - x)) by ring. rewrite Rabs_Ropp.
+Lemma negated_lies c v x : lies c v x -> lies (negated c) (- v) (- x).
+Proof. destruct c as [l h e]. intros [B D]. unfold lies, negated. rewrite !F2R_opp. replace (- v - - x) with (- (v - x)) by ring. rewrite Rabs_Ropp.
   lra. Qed.
 Lemma sum_lies c d v x w y : lies c v x -> lies d w y -> lies (sum_range c d) (rounded (v + w)) (x + y).
 Proof.
