@@ -207,6 +207,7 @@ Qed.
   model. *)
 Definition dyadic_of (n : Z * Z) : dyadic := Float radix2 (fst n) (snd n).
 Definition range_of (n : recorded_pixel.number) : range := Range (dyadic_of (fst (fst n))) (dyadic_of (snd (fst n))) (dyadic_of (snd n)).
+(* What a channel may be off, in units of 1e-14; the places of the channels; and the inputs. *)
 Definition boxes : list (Z * (list nat * list recorded_pixel.number)) := map (pair 18%Z) recorded_pixel.points ++ map (pair 100%Z)
   recorded_pixel.ranges.
 Definition ranges_in (box : list nat * list recorded_pixel.number) : PositiveMap.t range :=
@@ -217,7 +218,7 @@ Definition ranges_in (box : list nat * list recorded_pixel.number) : PositiveMap
     range)).
 Definition range_at (m : PositiveMap.t range) (place : nat) : option range := PositiveMap.find (N.succ_pos (N.of_nat place)) m.
 Definition times_1e14 (x : dyadic) : dyadic := Fmult x (Float radix2 (10 ^ 14) 0).
-Definition is_within (most : Z) (c : option range) : bool := match c with Some (Range _ _ e) => no_more (times_1e14 e) (Float radix2 most 0) | None
+Definition is_within (allowance : Z) (c : option range) : bool := match c with Some (Range _ _ e) => no_more (times_1e14 e) (Float radix2 allowance 0) | None
   => false end.
 Definition first_box : list nat * list recorded_pixel.number := hd ([], []) recorded_pixel.points.
 Definition second_box : list nat * list recorded_pixel.number := hd ([], []) (tl recorded_pixel.points).
@@ -248,9 +249,9 @@ Qed.
 Lemma drawn_is p numbers place : nth place (run operation R in_float64 0 p (map fst numbers)) 0 = fst (nth place (run operation two_numbers
   two_machines two_zeros p numbers) two_zeros).
 Proof. rewrite <- (around operation two_numbers R fst two_machines in_float64 two_zeros (fun _ _ => eq_refl)). apply (map_nth fst _ two_zeros). Qed.
-Theorem pixel_accuracy__computed constants most box numbers place : nearest_constants constants -> In (most, box) boxes -> In place (fst box) ->
+Theorem pixel_accuracy__computed constants allowance box numbers place : nearest_constants constants -> In (allowance, box) boxes -> In place (fst box) ->
   lie_in (snd box) numbers -> let x := nth place (run operation exact_number exact_machine zero_meant (pixel_of constants) (map snd numbers))
-  zero_meant in fst x /\ Rabs (nth place (run operation R in_float64 0 (pixel_of constants) (map fst numbers)) 0 - snd x) <= IZR most / 10 ^ 14.
+  zero_meant in fst x /\ Rabs (nth place (run operation R in_float64 0 (pixel_of constants) (map fst numbers)) 0 - snd x) <= IZR allowance / 10 ^ 14.
 Proof.
   intros N B D A. destruct (andb_prop _ _ boxes_are_within) as [W _]. apply andb_prop, proj1 in W. pose proof proj1 (forallb_forall _ _) (proj1
     (forallb_forall _ _) W _ B) _ D as V. clear W. cbn [fst snd] in V. rename V into W.
@@ -273,7 +274,7 @@ Lemma written_constants : nearest_constants (fun m e => (literal m e, 0)).
 Proof. intros m e. cbn [fst]. rewrite Rminus_eq_0, Rabs_R0. apply bpow_ge_0. Qed.
 Lemma two_of_them : (In (18%Z, first_box) boxes /\ In (18%Z, second_box) boxes) /\ In first_color (fst first_box) /\ In first_color (fst second_box).
 Proof. unfold boxes. repeat split; try (apply in_or_app; left); cbn; tauto. Qed.
-Theorem pixel_accuracy__computed__point : exists constants most box numbers place, nearest_constants constants /\ In (most, box) boxes /\ In place
+Theorem pixel_accuracy__computed__point : exists constants allowance box numbers place, nearest_constants constants /\ In (allowance, box) boxes /\ In place
   (fst box) /\ lie_in (snd box) numbers.
 Proof.
   destruct two_of_them as ([B _] & D & _). destruct (andb_prop _ _ boxes_are_within) as [_ W]. apply andb_prop, proj1 in W. eexists _, _, first_box,
@@ -286,9 +287,9 @@ Proof.
     F2R_mult, F2R_minus in W. unfold F2R at 1 4 in W. simpl in W. lra.
 Qed.
 (* Not where the exact numbers are another box's. *)
-Theorem pixel_accuracy__computed__false : ~ forall constants most box numbers exact place, nearest_constants constants -> In (most, box) boxes -> In
+Theorem pixel_accuracy__computed__false : ~ forall constants allowance box numbers exact place, nearest_constants constants -> In (allowance, box) boxes -> In
   place (fst box) -> lie_in (snd box) numbers -> length numbers = length exact -> Rabs (nth place (run operation R in_float64 0 (pixel_of constants)
-  (map fst numbers)) 0 - snd (nth place (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant)) <= IZR most / 10
+  (map fst numbers)) 0 - snd (nth place (run operation exact_number exact_machine zero_meant (pixel_of constants) exact) zero_meant)) <= IZR allowance / 10
   ^ 14.
 Proof.
   intro H. destruct two_of_them as ([B C] & D & E). destruct (andb_prop _ _ boxes_are_within) as [W V]. destruct (andb_prop _ _ W) as [_ G],

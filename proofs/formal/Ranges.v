@@ -148,11 +148,11 @@ Qed.
 Definition negated (c : range) : range := let (l, h, e) := c in Range (Fopp h) (Fopp l) e.
 Definition sum_range (c d : range) : range := let (l, h, e) := c in let (a, b, f) := d in rounded_once (Fplus l a) (Fplus h b) (Fplus e f).
 (* What is monotone in each factor has its ends at corners. *)
-Definition lowest (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : dyadic := smaller (smaller (f l a) (f l b)) (smaller (f h a) (f h b)).
-Definition highest (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : dyadic := larger (larger (f l a) (f l b)) (larger (f h a) (f h b)).
+Definition lowest_corner (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : dyadic := smaller (smaller (f l a) (f l b)) (smaller (f h a) (f h b)).
+Definition highest_corner (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : dyadic := larger (larger (f l a) (f l b)) (larger (f h a) (f h b)).
 Definition product_range (c d : range) : range :=
   let (l, h, e) := c in let (a, b, f) := d in
-  rounded_once (lowest (Fmult (beta:=radix2)) l h a b) (highest (Fmult (beta:=radix2)) l h a b) (Fplus (Fmult (size_of l h) f) (Fmult (Fplus (size_of
+  rounded_once (lowest_corner (Fmult (beta:=radix2)) l h a b) (highest_corner (Fmult (beta:=radix2)) l h a b) (Fplus (Fmult (size_of l h) f) (Fmult (Fplus (size_of
     a b) f) e)).
 (* A bound is guessed, and then tried. *)
 Definition guessed (x : dyadic) : dyadic := Fmult (Float radix2 1099511627777 (-40)) x.
@@ -161,7 +161,7 @@ Definition quotient_range (c d : range) : option range :=
   let least := Fminus (smaller (Fabs a) (Fabs b)) f in let moved := Fplus (Fmult least e) (Fmult (size_of l h) f) in
   let off := guessed (quotient_near moved (Fmult least least)) in
   if less dyadic_zero (Fmult a b) && less dyadic_zero least && no_more moved (Fmult off (Fmult least least)) then
-    Some (widened (lowest quotient_near l h a b) (highest quotient_near l h a b) off)
+    Some (widened (lowest_corner quotient_near l h a b) (highest_corner quotient_near l h a b) off)
   else None.
 Definition root_range (c : range) : option range :=
   let (l, h, e) := c in let least := Fmult (Float radix2 1099511627775 (-40)) (root_near l) in
@@ -197,7 +197,7 @@ Proof.
   - eapply Rle_trans; [exact U'|]. clear - T S. destruct T as [-> | ->], S as [-> | ->]; rewrite Ropp_involutive; unfold Rmax; repeat destruct
     Rle_dec; lra.
 Qed.
-Ltac at_corners := unfold lowest, highest; rewrite !smaller_is, !larger_is.
+Ltac at_corners := unfold lowest_corner, highest_corner; rewrite !smaller_is, !larger_is.
 Lemma product_lies c d v x w y : lies c v x -> lies d w y -> lies (product_range c d) (rounded (v * w)) (x * y).
 Proof.
   destruct c as [l h e], d as [a b f]. intros [B D] [C F]. apply rounded_once_lies.
