@@ -152,7 +152,8 @@ Definition lowest_corner (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : d
 Definition highest_corner (f : dyadic -> dyadic -> dyadic) (l h a b : dyadic) : dyadic := larger (larger (f l a) (f l b)) (larger (f h a) (f h b)).
 Definition product_range (c d : range) : range :=
   let (l, h, e) := c in let (a, b, f) := d in
-  rounded_once (lowest_corner (Fmult (beta:=radix2)) l h a b) (highest_corner (Fmult (beta:=radix2)) l h a b) (Fplus (Fmult (size_of l h) f) (Fmult (Fplus (size_of
+  rounded_once (lowest_corner (Fmult (beta:=radix2)) l h a b) (highest_corner (Fmult (beta:=radix2)) l h a b) (Fplus (Fmult (size_of l h) f) (Fmult (Fplus
+    (size_of
     a b) f) e)).
 (* A bound is guessed, and then tried. *)
 Definition guessed (x : dyadic) : dyadic := Fmult (Float radix2 1099511627777 (-40)) x.
