@@ -60,13 +60,13 @@ pixels = Theorem(
     {
         r"""Every channel of a pixel is within the bound that is counted with it of its exact value: by the program that
         is recorded from the shader, for every field, bump and model, and up to five lights.""": coq(
-            "pixel_accuracy__recorded 4a88a070f5fe5881"
+            "pixel_accuracy__recorded 8486f1dd97b8d06e"
         ),
         r"""Coq itself finds how far a channel can be off, without the machine: at ten pixels of the default scene, each
         in a chamber of its own, by at most $18\cdot10^{-14}$; and by at most $10^{-12}$ over a range of scenes, at ten
         pixels of these chambers and, by the slopes of *sine*, *ridges* and *rings* and by each model, at six of A.
         In it all colours, $k_a$, $k_d$ and $k_s$ are anything from 0 to 1, $\beta$ from $0.3$ to $0.4$, and a light's
-        coordinates up to $2^{-5}$ from the default scene's.""": coq("pixel_accuracy__computed 0000000000000000"),
+        coordinates up to $2^{-5}$ from the default scene's.""": coq("pixel_accuracy__computed a49ff26b27e7c69e"),
     },
     hypotheses=(
         *LIMITS,
