@@ -99,7 +99,7 @@ Qed.
 Ltac unfold_slopes := unfold height_sine.h, height_rings.h; gradient_sine.lines; gradient_rings.lines.
 Ltac truncation H slope e := repeat match type of H with _ /\ _ /\ _ => destruct H as [_ H] end;
   repeat match type of H with context [Derive ?f ?x] => rewrite (is_derive_unique f x slope) in H by (auto_derive; trivial; unfold_slopes; ring) end;
-  destruct H as [H H1]; unfold Rdiv in *; revert H H1; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply
+  destruct H as [H I1]; unfold Rdiv in *; revert H I1; unfold_slopes; replace (/ (2 * e)) with (1 / 2 * / e) in * by (field; lra); intros; apply
     Rabs_le; split; lra.
 Lemma sine_in_u u v k_u k_v epsilon : sampled_in_u k_u u epsilon -> carried k_v v -> Rabs (central_any_float64.h_u height_sine_float64.h u v k_u
   k_v epsilon - gradient_sine.h_u u v k_u k_v) <= error_bound (PI * k_u) u epsilon.
@@ -259,7 +259,7 @@ Proof.
   rewrite R1, R3. set (t := (1 + d1) * (1 + d2) / (1 + d3)). both_ways D1. both_ways D2. both_ways D3.
   replace ((a - b) * (1 + d1) / (w * (1 + d3)) * (1 + d2) + y) with ((a - b) / w * t + y) by (unfold t; field; lra). assert (T : Rabs (t - 1) <=
     kappa_clamped).
-  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & H1); try lra.
+  { apply Rabs_le. unfold kappa_clamped. destruct (roundoff_bound__three_roundings d1 t d2 d3 (/ 2 ^ 53)) as (_ & _ & _ & _ & _ & H & I1); try lra.
     unfold t. field. lra. }
   pose proof roundoff_bound__of_any_height h h1 L w 0 w kappa_clamped (76/10 / 2 ^ 53) (w / 2 ^ 53) _ 0 a b t D S W0 ltac:(ring) T A ltac:(rewrite
     Rminus_diag_eq, Rabs_R0 by reflexivity; lra) A1 B1 as X.
@@ -286,7 +286,7 @@ Proof.
   split; [exact N|]. split.
   2: { intros k F <-. central_rings.lines. rewrite P1, M1, S1, Rminus_0_r. refine (difference_when_clamped _ (fun x => height_rings.h x k) _ _ _ _ _ _
     _ I (sine_is_steep _ 1 _ K _ _) (rings_height_near k F)); [rewrite Rabs_R1; lra | intro; symmetry; apply Rmult_1_r]. }
-  intros s G H H1. assert (K0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _
+  intros s G H I1. assert (K0 : s * height_sine.h u 0 k_u k_v = 0) by (unfold height_sine.h; rewrite !Rmult_0_r, sin_0; ring). refine (other_side s _
     _ _ _ _ G _ _ N).
   - unfold_difference. rewrite P, M, !(ridges_height s) by (assumption ||
     lra). exact (proj2 (opposite_quotients s _ _ 0 _ G)).

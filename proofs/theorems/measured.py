@@ -63,20 +63,20 @@ pixels = Theorem(
             "pixel_accuracy__recorded 8486f1dd97b8d06e"
         ),
         r"""Coq itself finds how far a channel can be off, without the machine: at ten pixels of the default scene, each
-        in a chamber of its own, by at most $18\cdot10^{-14}$; and by at most $10^{-12}$ over a range of scenes, at ten
-        pixels of these chambers and, by the slopes of *sine*, *ridges* and *rings* and by each model, at six of A.
-        In it all colours, $k_a$, $k_d$ and $k_s$ are anything from 0 to 1, $\beta$ from $0.3$ to $0.4$, and a light's
-        coordinates up to $2^{-5}$ from the default scene's.""": coq("pixel_accuracy__computed a49ff26b27e7c69e"),
+        in a chamber of its own, by at most $18\cdot10^{-14}$; and by at most $100\cdot10^{-14}$ over a range of scenes,
+        whatever their colours and reflections, at ten pixels of these chambers and, by the slopes of *sine*, *ridges*
+        and *rings* and by each model, at six of A.""": coq("pixel_accuracy__computed a49ff26b27e7c69e"),
     },
     hypotheses=(
         *LIMITS,
         "float64 numbers; all this of what the channel needs; whole powers are recorded as the default scene's: of "
         "others the bounds are measured",
-        r"the scene's numbers are within their bounds, constants within half of their last digit; what is missed is "
-        r"$2^{1023}$ away",
-        r"the pixels are of $256^2$; of the range, places are up to $2^{-11}$ from the centres of the ten, slopes off "
-        r"by at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose ends are within "
-        r"$2^{-4}$ of the default scene's; no light is black, and $k_s > 0$",
+        r"the scene's numbers are within their bounds, a constant $m\,2^e$ of $d$ bits within $2^{d+e-54}$, half of its "
+        r"last digit; what is missed is $2^{1023}$ away; the pixels are of $256^2$",
+        r"of the range colours, $k_a$, $k_d$ and $k_s$ are from 0 to 1, $\beta$ from $0.3$ to $0.4$, coordinates of "
+        r"lights up to $2^{-5}$ from the default scene's, places up to $2^{-11}$ from the centres of the ten pixels; "
+        r"slopes are off by at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose ends "
+        r"are within $2^{-4}$ of the default scene's; no light is black, $k_s > 0$; $100\cdot10^{-14} = 10^{-12}$",
     ),
     expected="proved",
 )
@@ -110,7 +110,7 @@ gradients = Theorem(
     steps={
         r"$k_u u = p + e$ exactly": "Dekker's product",
         r"$\sin\pi k_u u$ and $\cos\pi k_u u$ are off by $3.289\mu$": "exact reduction; two polynomials; quadrant",
-        r"$\pi$ is off by $1.11\mu$; three products": "each rounds once",
+        r"$\pi$ is off by $0.36\mu$ of itself; three products": "each rounds once",
         r"ridges: the side of a crease is never wrong": "no rounding changes the reduced argument's sign",
     },
 )
