@@ -71,12 +71,12 @@ pixels = Theorem(
         *LIMITS,
         "float64 numbers; all this of what the channel needs; whole powers are recorded as the default scene's: of "
         "others the bounds are measured",
-        r"the scene's numbers are within their bounds, a constant $m\,2^e$ of $d$ bits within $2^{d+e-54}$, half of its "
-        r"last digit; what is missed is $2^{1023}$ away; the pixels are of $256^2$",
+        r"the scene's numbers are within their bounds, a constant $m\,2^e$ of $d$ bits within $2^{d+e-54}$, half of "
+        r"its last digit; what is missed is $2^{1023}$ away; the pixels are of $256^2$",
         r"of the range colours, $k_a$, $k_d$ and $k_s$ are from 0 to 1, $\beta$ from $0.3$ to $0.4$, coordinates of "
         r"lights up to $2^{-5}$ from the default scene's, places up to $2^{-11}$ from the centres of the ten pixels; "
-        r"slopes are off by at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose ends "
-        r"are within $2^{-4}$ of the default scene's; no light is black, $k_s > 0$; $100\cdot10^{-14} = 10^{-12}$",
+        r"slopes are off by at most $2^{-44}$, products of two colours by $2^{-51}$, and shadows lie in boxes whose "
+        r"ends are within $2^{-4}$ of the default scene's; no light is black, $k_s > 0$; $100\cdot10^{-14} = 10^{-12}$",
     ),
     expected="proved",
 )
