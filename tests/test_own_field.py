@@ -247,8 +247,7 @@ def test_a_slope_by_a_parameter_is_that_by_a_number_of_the_scene(text, number, n
         values for kind in ("derivatives", "derivative_bounds") for f in frames for values in getattr(f, kind).values()
     )
     share = number / scene.number(name)
-    of_both = of_both + bound * abs(share)
-    assert (abs(slope * share - of_twin) <= of_both * (1 + 1e-15) + 1e-15 * abs(of_twin)).all()
+    assert (abs(slope * share - of_twin) <= (of_both + bound * abs(share)) * (1 + 1e-15) + 1e-15 * abs(of_twin)).all()
     assert np.isfinite(bound).all() and abs(slope).max() > 0.1
     assert (frames[0].rgb == plain.rgb).all() and not frames[0].moves_boundaries
     assert frames[0].work["slopes"]["a"] == plain.work["pixels_a"]
