@@ -20,6 +20,7 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 Nodes = list[nodes.Node]
 SUBSCRIPT = re.compile(r"(?<=\b[A-Za-zα-ωΑ-Ω])_([A-Za-z0-9α-ω])(?!\w)")
+STRESSED = re.compile(r"\*(\w+)\*")
 PLACE = re.compile("(\0\\d+\0)")
 NOT_THERE = (ValueError, LookupError, OSError)
 _waiting: dict[str, Nodes] = {}
@@ -88,7 +89,7 @@ def section(title: str, id: str, *children: nodes.Node, classes: Iterable[str] =
 
 
 def typeset(text: str) -> Nodes:
-    """Return a theorem's text: what is between dollars as mathematics, k_u outside them with a subscript.
+    """Return a theorem's text: what is between dollars as mathematics, outside them k_u with a subscript, *u* stressed.
 
     Raises ValueError for a formula that does not end, or is empty.
     """
@@ -100,8 +101,11 @@ def typeset(text: str) -> Nodes:
 
 
 def _plain(text: str) -> Nodes:
-    pieces = SUBSCRIPT.split(text)  # words, a letter's index, words, …
-    parts = [nodes.subscript("", piece) if odd % 2 else nodes.Text(piece) for odd, piece in enumerate(pieces)]
+    parts = []
+    for odd, words in enumerate(STRESSED.split(text)):
+        pieces = SUBSCRIPT.split(words)  # words, a letter's index, words, …
+        each = [nodes.subscript("", piece) if at % 2 else nodes.Text(piece) for at, piece in enumerate(pieces)]
+        parts += [nodes.emphasis("", "", *each)] if odd % 2 else each
     return [node for node in parts if node.astext()]
 
 
